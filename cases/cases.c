@@ -1,0 +1,67 @@
+#include "case.h"
+#include <string.h>
+#include "energy/fit.h"
+#include "split_sum/tiers.h"
+#include "split_sum/truth_split_sum.h"
+
+#define ROUGHNESS_N_DOT_V {{"roughness", 0.001, 1.0}, {"n_dot_v", 0.001, 1.0}}
+
+static const lobe_case cases[] = {
+    {.name = "split_sum",
+     .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2",
+     .accuracy = "2e-11",
+     .input_count = 2,
+     .output_count = 2,
+     .inputs = ROUGHNESS_N_DOT_V,
+     .outputs = {"scale", "bias"},
+     .truth = lobe_truth_split_sum_rows,
+     .truth_opencl = lobe_truth_split_sum_opencl,
+     .vectors = &lobe_split_sum_vectors},
+    {.name = "split_sum_sep",
+     .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
+     .brdf = "GGX, separable Smith, alpha = roughness^2",
+     .accuracy = "2e-11",
+     .input_count = 2,
+     .output_count = 2,
+     .inputs = ROUGHNESS_N_DOT_V,
+     .outputs = {"scale", "bias"},
+     .truth = lobe_truth_split_sum_sep_rows,
+     .truth_opencl = lobe_truth_split_sum_sep_opencl},
+    {.name = "energy",
+     .integral = "E = int D V n.l dl",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2",
+     .accuracy = "2e-11",
+     .input_count = 2,
+     .output_count = 1,
+     .inputs = ROUGHNESS_N_DOT_V,
+     .outputs = {"E"},
+     .truth = lobe_truth_energy_rows,
+     .truth_opencl = lobe_truth_energy_opencl,
+     .fit = lobe_energy_fit},
+    {.name = "split_sum_kibl",
+     .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
+     .brdf = "GGX, Schlick-Smith with k = alpha/2, alpha = roughness^2; a published formula was fitted to it",
+     .accuracy = "2e-11",
+     .input_count = 2,
+     .output_count = 2,
+     .inputs = ROUGHNESS_N_DOT_V,
+     .outputs = {"scale", "bias"},
+     .truth = lobe_truth_split_sum_kibl_rows,
+     .truth_opencl = lobe_truth_split_sum_kibl_opencl},
+};
+
+const lobe_case *lobe_case_at(int i)
+{
+    return i >= 0 && (size_t)i < sizeof cases / sizeof cases[0] ? &cases[i] : NULL;
+}
+
+const lobe_case *lobe_case_find(const char *name)
+{
+    int i;
+    for (i = 0; lobe_case_at(i); i++) {
+        if (strcmp(cases[i].name, name) == 0)
+            return &cases[i];
+    }
+    return NULL;
+}

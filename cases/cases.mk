@@ -1,0 +1,62 @@
+# The offline side: lobefit and its tests. It needs a C compiler, POSIX threads and libm; OpenCL is loaded at run time
+# where its headers were found at build time. cases/fit/*.mk add their objects to FIT_OBJ and EMIT_OBJ.
+FIT_OBJ :=
+EMIT_OBJ :=
+LOBEFIT_LD = $(CC)
+LOBEFIT_LIBS = -lm -lpthread -ldl
+-include cases/fit/fit.mk
+-include cases/fit/emit.mk
+-include cases/fit_rules.mk
+
+# The truth is worth -O3: its inner loop vectorises with the bits it has.
+CASES_CFLAGS = $(ALL_CFLAGS) -O3 $(if $(EMIT_OBJ),-DLOBE_WITH_EMIT)
+CASES_HDR := $(wildcard core/*.h models/*.h models/coeffs/*.h cases/*.h cases/*/*.h)
+
+TRUTH_SRC := $(wildcard cases/split_sum/truth_*.c cases/energy/truth_*.c) cases/split_sum/points.c cases/split_sum/tiers.c
+CASES_SRC := cases/cases.c cases/fit/rows.c cases/fit/sweep.c cases/fit/opencl.c cases/fit/vectors.c \
+             cases/fit/digest.c cases/fit/random.c $(TRUTH_SRC)
+CASES_OBJ := $(CASES_SRC:%.c=$(B)/%.o) $(B)/cases/split_sum/truth_source.o
+# Everything but main: the table of cases reaches the fits, and they the engines.
+LOBEFIT_OBJ := $(sort $(CASES_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
+
+$(B)/cases/%.o: cases/%.c $(CASES_HDR)
+	@mkdir -p $(@D)
+	$(CC) $(CASES_CFLAGS) -c $< -o $@
+
+$(B)/cases/split_sum/truth_source.c: cases/embed.awk core/dialect.h cases/split_sum/truth_split_sum.h \
+                                     cases/split_sum/truth_kernel.h cases/split_sum/truth_rows.cl
+	@mkdir -p $(@D)
+	order=$$(awk '$$2 == "LOBE_TRUTH_ORDER" { print $$3 }' cases/split_sum/truth_split_sum.h) && \
+	awk -v name=lobe_truth_source -v prefix="#define LOBE_DOUBLE 1;#define LOBE_TRUTH_ORDER $$order" \
+	    -f cases/embed.awk core/dialect.h cases/split_sum/truth_kernel.h cases/split_sum/truth_rows.cl > $@.new
+	mv $@.new $@
+
+$(B)/cases/split_sum/truth_source.o: $(B)/cases/split_sum/truth_source.c
+	$(CC) $(CASES_CFLAGS) -Wno-overlength-strings -c $< -o $@
+
+$(B)/lobefit: $(B)/cases/lobefit.o $(LOBEFIT_OBJ) $(B)/liblobe.a
+	$(LOBEFIT_LD) $(CFLAGS) $^ $(LOBEFIT_LIBS) -o $@
+
+# Tests of the offline side.
+TRUTH_TESTS := truth truth_agreement truth_opencl rows
+TESTS += $(TRUTH_TESTS:%=$(B)/test/test_%) $(wildcard cases/test/test_lobefit*.sh)
+
+$(TRUTH_TESTS:%=$(B)/test/test_%): $(B)/test/test_%: cases/test/test_%.c $(LOBEFIT_OBJ) $(B)/liblobe.a $(CASES_HDR)
+	@mkdir -p $(@D)
+	$(CC) $(CASES_CFLAGS) $< $(LOBEFIT_OBJ) $(B)/liblobe.a $(LOBEFIT_LIBS) -lcmocka -o $@
+
+# Shell tests call the program; make test builds it first.
+test: $(B)/lobefit
+
+# How closely the integrators agree, over dense grids: three minutes, and a committed result.
+$(B)/truth_sweep: $(B)/cases/split_sum/agreement_main.o $(LOBEFIT_OBJ) $(B)/liblobe.a
+	$(LOBEFIT_LD) $(CFLAGS) $^ $(LOBEFIT_LIBS) -o $@
+
+.PHONY: truth-sweep
+truth-sweep: $(B)/truth_sweep
+	$< $$(date -u +%F) > $(B)/agreement.txt
+	mv $(B)/agreement.txt cases/split_sum/agreement.txt
+
+# libFuzzer on the row parser; needs clang.
+$(B)/fuzz_rows: cases/test/fuzz_rows.c cases/fit/rows.c cases/fit/rows.h
+	clang -g -O1 -fsanitize=fuzzer,address,undefined $(EXACT) cases/test/fuzz_rows.c cases/fit/rows.c -o $@

@@ -1,0 +1,69 @@
+# The recorder of kernels and what reads its record. C++ without its library, so that a C compiler links it.
+#
+#   make emit-q30    writes models/q30/*.c for every formula that has coefficients
+EMIT_SRC := $(sort $(wildcard cases/fit/trace*.cpp cases/fit/emit*.cpp))
+EMIT_OBJ := $(EMIT_SRC:%.cpp=$(B)/%.o)
+EMIT_HDR := $(wildcard cases/fit/trace*.h cases/fit/emit*.h cases/test/emit_kernels.h core/*.h models/*.h \
+                       models/coeffs/*.h)
+EMIT_CXXFLAGS := -std=gnu++11 -O3 -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics \
+                 -Wall -Wextra -Wconversion $(if $(WERROR),-Werror)
+EMIT_TIERS := $(sort $(patsubst models/coeffs/%.h,%,$(wildcard $(addprefix models/coeffs/*_,low.h medium.h high.h))))
+
+$(EMIT_OBJ): $(B)/%.o: %.cpp $(EMIT_HDR)
+	@mkdir -p $(@D)
+	$(CXX) $(EMIT_CXXFLAGS) -c $< -o $@
+
+.PHONY: emit-q30
+emit-q30: $(B)/lobefit
+	@set -e; for name in $(EMIT_TIERS); do \
+	    echo "lobefit emit $${name%_*} --tier $${name##*_} --to q30 > models/q30/$$name.c"; \
+	    $(B)/lobefit emit $${name%_*} --tier $${name##*_} --to q30 > $(B)/q30.new; \
+	    mv $(B)/q30.new models/q30/$$name.c; \
+	done
+
+# Tests. The compiled q30 sources trap on signed overflow there.
+EMIT_TEST := $(B)/cases/test
+EMIT_CHECKED := $(ALL_CFLAGS) -fsanitize=signed-integer-overflow -fsanitize-undefined-trap-on-error
+EMIT_BEHIND := $(filter-out %/trace_kernels.o,$(EMIT_OBJ))
+TESTS += $(EMIT_TEST)/emit_count $(EMIT_TEST)/emit_q30 $(EMIT_TEST)/emit_q30_try $(EMIT_TEST)/emit_languages
+
+$(EMIT_TEST)/%.o: cases/test/%.cpp $(EMIT_HDR)
+	@mkdir -p $(@D)
+	$(CXX) $(EMIT_CXXFLAGS) -c $< -o $@
+
+$(EMIT_TEST)/emit_count: $(EMIT_TEST)/test_emit_count.o $(EMIT_OBJ)
+	$(CC) $(CFLAGS) $^ -lm -o $@
+
+$(EMIT_TEST)/emitted_rows.h: models/q30 $(wildcard models/q30/*.c)
+	@mkdir -p $(@D)
+	@for name in $(basename $(notdir $(wildcard models/q30/*_low.c models/q30/*_medium.c models/q30/*_high.c))); do \
+	    case $$name in *_low) bound=LOW ;; *) bound=MEDIUM ;; esac; \
+	    echo "$${name%_*}($${name##*_}, $$bound)"; \
+	done > $@
+
+EMIT_Q30 = $(wildcard models/q30/*_low.c models/q30/*_medium.c models/q30/*_high.c)
+$(EMIT_TEST)/emit_q30: cases/test/test_emit_q30.c cases/test/test_emit_q30_rows.h $(EMIT_TEST)/emitted_rows.h \
+                       $(EMIT_OBJ) $(wildcard models/q30/*.c) $(LIB_HDR)
+	$(CC) $(EMIT_CHECKED) -I$(EMIT_TEST) $< $(EMIT_Q30) $(EMIT_OBJ) -lm -o $@
+
+$(EMIT_TEST)/emit_try: cases/test/emit_try.c $(EMIT_TEST)/emit_kernels.o $(EMIT_BEHIND)
+	$(CC) $(ALL_CFLAGS) $^ -lm -o $@
+
+$(EMIT_TEST)/try_%.c: $(EMIT_TEST)/emit_try
+	$< $* q30 > $@.new
+	mv $@.new $@
+
+$(EMIT_TEST)/emit_q30_try: cases/test/test_emit_q30.c $(EMIT_TEST)/try_medium.c $(EMIT_TEST)/try_high.c \
+                           $(EMIT_TEST)/try_inverse.c $(EMIT_TEST)/emit_kernels.o $(EMIT_BEHIND) $(LIB_HDR) cases/test/test_emit_q30_rows.h
+	$(CC) $(EMIT_CHECKED) -DLOBE_TEST_TRY -Imodels/q30 $(filter %.c %.o,$^) -lm -o $@
+
+$(EMIT_TEST)/emit_fpcore: cases/test/test_emit_fpcore.c $(EMIT_OBJ)
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) $^ -lm -o $@
+
+# A test that needs arguments is a program of one line.
+$(EMIT_TEST)/emit_languages: cases/test/test_emit_languages.sh cases/test/test_emit_bits.c $(B)/lobefit \
+                             $(EMIT_TEST)/emit_fpcore
+	@printf '#!/bin/sh\nCC="%s" exec sh %s %s %s %s\n' '$(CC)' $< $(B)/lobefit $(EMIT_TEST)/emit_fpcore \
+	    $(EMIT_TEST)/languages > $@
+	@chmod +x $@

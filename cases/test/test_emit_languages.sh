@@ -1,0 +1,87 @@
+#!/bin/sh
+# What lobefit emits, given to the compilers of each language, and emitted C run against the kernel.
+# Usage: test_emit_languages.sh LOBEFIT FPCORE-TEST FOLDER; CC is taken from the environment.
+lobefit=$1 fpcore=$2 dir=$3
+cc=${CC:-cc}
+number=0 failed=0
+mkdir -p "$dir"
+
+result() { # status, name
+    number=$((number + 1))
+    if [ "$1" -eq 0 ]; then
+        echo "ok $number - $2"
+    else
+        failed=$((failed + 1))
+        echo "not ok $number - $2"
+        sed 's/^/# /' "$dir/log" | head -n 20
+    fi
+}
+
+skip() { # reason, name
+    number=$((number + 1))
+    echo "ok $number - $2 # SKIP $1"
+}
+
+shader() { # stage, options, name
+    if command -v glslangValidator >/dev/null 2>&1; then
+        # shellcheck disable=SC2086
+        glslangValidator $2 -S "$1" -o "$dir/out.spv" "$4" >"$dir/log" 2>&1
+        result $? "$3"
+    else
+        skip "glslangValidator is missing" "$3"
+    fi
+}
+
+for header in models/coeffs/*_low.h models/coeffs/*_medium.h models/coeffs/*_high.h; do
+    [ -f "$header" ] || continue
+    name=$(basename "$header" .h)
+    model=${name%_*} tier=${name##*_}
+    one=$dir/$name
+    for to in c cl glsl es hlsl fpcore; do
+        # es is GLSL ES: the same text with precisions
+        "$lobefit" emit "$model" --tier "$tier" --to "$to" >"$one.$to" 2>"$dir/log" || result 1 "$name: emits $to"
+    done
+
+    pair=2 outputs=
+    case $model in energy*) pair= outputs=-DENERGY ;; esac
+    mv "$one.c" "$one.emitted.c"
+    # shellcheck disable=SC2086
+    $cc -std=gnu99 -ffp-contract=off -fno-math-errno -O2 -Wall -Wextra -Werror "-Dlobe_$name=emitted" -c \
+        "$one.emitted.c" -o "$one.o" >"$dir/log" 2>&1 &&
+        $cc -std=gnu99 -ffp-contract=off -fno-math-errno -O2 $outputs "-DKERNEL=lobe_$name" -DEMITTED=emitted \
+            "-DHEADER=\"../../models/$model.h\"" cases/test/test_emit_bits.c "$one.o" -lm -o "$one.run" >"$dir/log" 2>&1 &&
+        "$one.run" >"$dir/log" 2>&1
+    result $? "$name: emitted C has the bits of the kernel"
+
+    if command -v clang >/dev/null 2>&1; then
+        clang -x cl -cl-std=CL1.2 -Xclang -finclude-default-header -fsyntax-only "$one.cl" >"$dir/log" 2>&1
+        result $? "$name: emitted OpenCL C compiles"
+    else
+        skip "clang is missing" "$name: emitted OpenCL C compiles"
+    fi
+
+    body="void main() { vec2 t = gl_FragCoord.xy; o = vec4(lobe_$name(t.x, t.y)${pair:+, 0.0, 0.0}); }"
+    { echo '#version 450'; echo 'layout(location = 0) out vec4 o;'; cat "$one.glsl"; echo "$body"; } >"$one.frag"
+    shader frag "-V" "$name: emitted GLSL compiles" "$one.frag"
+    { echo '#version 320 es'; echo 'layout(location = 0) out highp vec4 o;'; cat "$one.es"
+      echo "$body" | sed 's/vec2 t/highp vec2 t/'; } >"$one.es.frag"
+    shader frag "-V" "$name: emitted GLSL ES compiles" "$one.es.frag"
+    { cat "$one.hlsl"
+      echo "float4 main(float2 t : TEXCOORD0) : SV_Target { return float4(lobe_$name(t.x, t.y)${pair:+, 0.0, 0.0}); }" |
+          if [ -n "$pair" ]; then cat; else sed 's/float4(lobe/(float4)(lobe/'; fi; } >"$one.frag.hlsl"
+    shader frag "-D -V -e main" "$name: emitted HLSL compiles" "$one.frag.hlsl"
+
+    "$fpcore" "$model" "$tier" <"$one.fpcore" >"$dir/log" 2>&1
+    result $? "$name: emitted FPCore gives the formula's values"
+
+    if [ -f "models/q30/$name.c" ]; then
+        "$lobefit" emit "$model" --tier "$tier" --to q30 >"$one.q30" 2>"$dir/log" &&
+            cmp "$one.q30" "models/q30/$name.c" >>"$dir/log" 2>&1
+        result $? "$name: models/q30/$name.c is what lobefit emits"
+    else
+        echo "models/q30/$name.c is missing: make emit-q30 writes it" >"$dir/log"
+        result 1 "$name: models/q30/$name.c is there"
+    fi
+done
+echo "1..$number"
+[ $failed -eq 0 ]

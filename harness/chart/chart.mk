@@ -1,0 +1,35 @@
+# `make chart`: harness/chart/{split_sum,split_sum_sep,energy}.{svg,csv}, cost on x, error on y.
+CHART       := harness/chart
+CHART_BRDFS := split_sum split_sum_sep split_sum_kibl energy
+CHART_SIDE  ?= 1024
+
+.PHONY: chart
+chart: $(CHART)/split_sum.svg $(CHART)/split_sum_sep.svg $(CHART)/energy.svg
+
+$(B)/chart/errors: $(CHART)/errors.c harness/registry.c $(wildcard harness/*.h harness/peers/*.h) $(B)/liblobe.a
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) $(CHART)/errors.c harness/registry.c $(B)/liblobe.a -lm -o $@
+
+$(B)/chart/grid: $(B)/chart/errors
+	$< grid $(CHART_SIDE) >$@.new
+	mv $@.new $@
+
+$(B)/chart/%.truth: $(B)/chart/grid $(B)/lobefit
+	$(B)/lobefit truth $* <$< >$@.new
+	mv $@.new $@
+
+$(B)/chart/%.errors: $(B)/chart/%.truth $(B)/chart/errors
+	paste -d' ' $(B)/chart/grid $< | $(B)/chart/errors $* >$@.new
+	mv $@.new $@
+
+$(CHART)/%.csv: $(B)/chart/%.errors counts $(CHART)/join.awk
+	awk -f $(CHART)/join.awk $(B)/counts_x86.csv $(B)/counts_m4f.csv $(B)/counts_m0.csv $< >$@.new
+	mv $@.new $@
+
+heading_split_sum     := Split sum, height-correlated Smith GGX: roughness and NdotV in [.02, 1]
+heading_split_sum_sep := Split sum, separable Smith GGX: roughness and NdotV in [.02, 1]
+heading_energy        := 1/E of height-correlated GGX, white furnace error: roughness and NdotV in [.02, 1]
+
+$(CHART)/%.svg: $(CHART)/%.csv $(CHART)/chart.gp
+	gnuplot -e 'in="$<"; out="$@.new.svg"; brdf="$*"; heading="$(heading_$*)"' $(CHART)/chart.gp
+	mv $@.new.svg $@

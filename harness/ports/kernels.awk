@@ -1,0 +1,106 @@
+# Finds the f32 kernels that the public header promises, and writes each as a program for a device.
+#
+#   awk -v want=list|glsl|cl|c [-v kernel=NAME] -f kernels.awk models/lobe.h HEADER...
+#
+# A kernel is a LOBE_FN of scalars whose name with _f32 behind it stands in the public header (the first file).
+#   list  a line a kernel: name, number of inputs, number of outputs
+#   glsl  main of a compute shader for `kernel`; cl: an OpenCL kernel `run`; both go behind the shader text
+#   c     host wrappers over arrays and a table of them
+
+FNR == 1 { file++ }
+
+# Comments and line ends go, so that a declaration is one piece of text.
+file == 1 { public = public $0 " "; next }
+{ sub(/\/\/.*/, ""); text = text $0 " " }
+
+function uncomment(s,    from, to, out) {
+    out = ""
+    while ((from = index(s, "/*")) > 0) {
+        out = out substr(s, 1, from - 1)
+        s = substr(s, from + 2)
+        to = index(s, "*/")
+        s = to ? substr(s, to + 2) : ""
+    }
+    return out s
+}
+
+function find_structs(s,    name, body, n, i, part) {
+    while (match(s, /LOBE_STRUCT\([a-z0-9_]+\)[ ]*\{[^}]*\}/)) {
+        body = substr(s, RSTART, RLENGTH)
+        s = substr(s, RSTART + RLENGTH)
+        name = body
+        sub(/^LOBE_STRUCT\(/, "", name)
+        sub(/\).*/, "", name)
+        gsub(/.*\{|\}|lobe_real|[ \t]/, "", body)
+        n = split(body, part, /[;,]/)
+        count[name] = 0
+        for (i = 1; i <= n; i++)
+            if (part[i] != "")
+                member[name, count[name]++] = part[i]
+    }
+}
+
+function find_kernels(s,    head, type, name, args, n) {
+    while (match(s, /LOBE_FN +[a-z0-9_]+ +lobe_[a-z0-9_]+\([^)]*\)/)) {
+        head = substr(s, RSTART, RLENGTH)
+        s = substr(s, RSTART + RLENGTH)
+        split(head, word, / +/)
+        type = word[2]
+        name = word[3]
+        sub(/\(.*/, "", name)
+        args = head
+        sub(/[^(]*\(/, "", args)
+        if (index(public, name "_f32(") == 0 || (type != "lobe_real" && !(type in count)))
+            continue
+        n = gsub(/lobe_real/, "", args)
+        kernels++
+        names[kernels] = name
+        types[name] = type
+        inputs[name] = n
+        outputs[name] = type == "lobe_real" ? 1 : count[type]
+    }
+}
+
+function call(name, x,    i, s) {
+    for (i = 0; i < inputs[name]; i++)
+        s = s (i ? ", " : "") sprintf(x, inputs[name], i)
+    return name "(" s ")"
+}
+
+function body(name, x, y,    i, s, t) {
+    t = types[name]
+    s = "    " t " d = " call(name, x) ";\n"
+    for (i = 0; i < outputs[name]; i++)
+        s = s "    " sprintf(y, outputs[name], i) " = d" (t == "lobe_real" ? "" : "." member[t, i]) ";\n"
+    return s
+}
+
+END {
+    text = uncomment(text)
+    find_structs(text)
+    find_kernels(text)
+    if (want == "list")
+        for (k = 1; k <= kernels; k++)
+            print names[k], inputs[names[k]], outputs[names[k]]
+    if (want == "glsl") {
+        print "layout(local_size_x = 64) in;"
+        print "layout(std430, binding = 0) readonly buffer rows_in { float x[]; };"
+        print "layout(std430, binding = 1) writeonly buffer rows_out { float y[]; };"
+        print "layout(push_constant) uniform rows { uint n; };"
+        print "void main()\n{\n    uint i = gl_GlobalInvocationID.x;\n    if (i >= n)\n        return;"
+        printf "%s}\n", body(kernel, "x[i * %du + %du]", "y[i * %du + %du]")
+    }
+    if (want == "cl") {
+        print "__kernel void run(__global const float *x, __global float *y, uint n)\n{"
+        print "    size_t i = get_global_id(0);\n    if (i >= n)\n        return;"
+        printf "%s}\n", body(kernel, "x[i * %d + %d]", "y[i * %d + %d]")
+    }
+    if (want == "c") {
+        for (k = 1; k <= kernels; k++)
+            printf "static void at_%s(const float *x, float *y)\n{\n%s}\n", names[k], body(names[k], "x[0 * %d + %d]", "y[0 * %d + %d]")
+        print "static const struct kernel kernels[] = {"
+        for (k = 1; k <= kernels; k++)
+            printf "    {\"%s\", %d, %d, at_%s},\n", names[k], inputs[names[k]], outputs[names[k]], names[k]
+        print "    {0, 0, 0, 0}};"
+    }
+}

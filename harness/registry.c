@@ -1,0 +1,111 @@
+#include "registry.h"
+#include "../models/coeffs/split_sum_low.h"
+#include "../models/lobe.h"
+
+const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
+
+/* First reading: one function type for every model. */
+#define DFG_CALL(model, tier, format, field)                                                                           \
+    static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
+    {                                                                                                                  \
+        const lobe_dfg_##format d = lobe_##model##_##tier##_##format(in[0].field, in[1].field);                        \
+        out[0].field = d.scale;                                                                                        \
+        out[1].field = d.bias;                                                                                         \
+    }
+#define DFG_ARRAY(model, tier, format, field)                                                                          \
+    static void model##_##tier##_n_##format(const lobe_value *const *in, lobe_value *const *out, size_t n)             \
+    {                                                                                                                  \
+        lobe_##model##_##tier##_n_##format(&in[0]->field, &in[1]->field, &out[0]->field, &out[1]->field, n);           \
+    }
+#define DFG_F32(model, tier, bounds) DFG_CALL(model, tier, f32, f) DFG_ARRAY(model, tier, f32, f)
+#define DFG_Q30(model, tier, bounds) DFG_CALL(model, tier, q30, q) DFG_ARRAY(model, tier, q30, q)
+#define DFG_Q30_SCALAR(model, tier, bounds) DFG_CALL(model, tier, q30, q)
+#define ENERGY_CALL(model, tier, format, field)                                                                        \
+    static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
+    {                                                                                                                  \
+        out[0].field = lobe_##model##_##tier##_##format(in[0].field, in[1].field);                                     \
+    }
+#define ENERGY_F32(model, tier, bounds) ENERGY_CALL(model, tier, f32, f)
+#define ENERGY_Q30(model, tier, bounds) ENERGY_CALL(model, tier, q30, q)
+#include "registry_rows.h"
+#undef DFG_F32
+#undef DFG_Q30
+#undef DFG_Q30_SCALAR
+#undef ENERGY_F32
+#undef ENERGY_Q30
+
+/* Second reading: the table. */
+#define ROW(model, tier, format, FORMAT, outputs, names, sums, array, bounds)                                          \
+    {#model,                                                                                                           \
+     #tier,                                                                                                            \
+     "lobe_" #model "_" #tier "_" #format,                                                                             \
+     LOBE_##FORMAT,                                                                                                    \
+     2,                                                                                                                \
+     outputs,                                                                                                          \
+     "roughness n_dot_v",                                                                                              \
+     names,                                                                                                            \
+     sums,                                                                                                             \
+     model##_##tier##_##format,                                                                                        \
+     array,                                                                                                            \
+     bounds##_OPS,                                                                                                     \
+     bounds##_##FORMAT##_MAX,                                                                                          \
+     bounds##_##FORMAT##_RMS,                                                                                          \
+     bounds##_##FORMAT##_BELOW_MAX,                                                                                    \
+     bounds##_DOMAIN_LO},
+#define DFG_F32(model, tier, bounds) ROW(model, tier, f32, F32, 2, "scale bias", 1, model##_##tier##_n_f32, bounds)
+#define DFG_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, model##_##tier##_n_q30, bounds)
+#define DFG_Q30_SCALAR(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, NULL, bounds)
+#define ENERGY_F32(model, tier, bounds) ROW(model, tier, f32, F32, 1, "E", 0, NULL, bounds)
+#define ENERGY_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 1, "E", 0, NULL, bounds)
+const lobe_entry lobe_entries[] = {
+#include "registry_rows.h"
+};
+const size_t lobe_entry_count = sizeof lobe_entries / sizeof lobe_entries[0];
+
+int lobe_same(const char *a, const char *b)
+{
+    while (*a && *a == *b)
+        a++, b++;
+    return *a == *b;
+}
+
+lobe_format lobe_format_named(const char *name)
+{
+    if (lobe_same(name, "f32"))
+        return LOBE_F32;
+    return lobe_same(name, "q30") ? LOBE_Q30 : LOBE_FORMATS;
+}
+
+const lobe_entry *lobe_find_entry(const char *model, const char *tier, lobe_format format)
+{
+    size_t i;
+    for (i = 0; i < lobe_entry_count; i++) {
+        const lobe_entry *e = &lobe_entries[i];
+        if (e->format == format && lobe_same(e->model, model) && lobe_same(e->tier, tier))
+            return e;
+    }
+    return NULL;
+}
+
+double lobe_value_real(lobe_format format, lobe_value value)
+{
+    return format == LOBE_F32 ? (double)value.f : (double)value.q / 1073741824.0;
+}
+
+lobe_value lobe_value_nearest(lobe_format format, double real)
+{
+    lobe_value value;
+    value.q = 0;
+    if (format == LOBE_F32) {
+        value.f = (float)real;
+    } else {
+        const double scaled = real * 1073741824.0;
+        if (scaled >= 2147483647.0)
+            value.q = INT32_MAX;
+        else if (scaled <= -2147483648.0)
+            value.q = INT32_MIN;
+        else if (scaled == scaled)
+            value.q = (int32_t)(scaled < 0.0 ? scaled - 0.5 : scaled + 0.5);
+    }
+    return value;
+}

@@ -1,0 +1,120 @@
+/* What is known without any integral: limits of the split sum, and the shape of its bias. The tolerances are
+ * the stated bounds, so these tests sharpen with the models. */
+#include "../registry.h"
+#include "cmocka_first.h"
+#include <math.h>
+
+static void evaluate(const lobe_entry *e, double roughness, double n_dot_v, double *out)
+{
+    lobe_value in[LOBE_MAX_INPUTS], raw[LOBE_MAX_OUTPUTS];
+    int k;
+    in[0] = lobe_value_nearest(e->format, roughness);
+    in[1] = lobe_value_nearest(e->format, n_dot_v);
+    e->call(in, raw);
+    for (k = 0; k < e->outputs; k++)
+        out[k] = lobe_value_real(e->format, raw[k]);
+}
+
+static double albedo(const lobe_entry *e, double roughness, double n_dot_v)
+{
+    double out[LOBE_MAX_OUTPUTS];
+    double sum = 0.0;
+    int k;
+    evaluate(e, roughness, n_dot_v, out);
+    for (k = 0; k < e->outputs; k++)
+        sum += out[k];
+    return sum;
+}
+
+/* At roughness 1 and normal incidence both Smith forms give the integral of u / (1 + u) over [0, 1]. */
+static void rough_and_normal(void **state)
+{
+    size_t i;
+    (void)state;
+    for (i = 0; i < lobe_entry_count; i++) {
+        const lobe_entry *e = &lobe_entries[i];
+        const double got = albedo(e, 1.0, 1.0), want = 1.0 - log(2.0);
+        if (!(fabs(got - want) <= e->max))
+            fail_msg("%s: E(1, 1) = %.9g, not %.9g within %g", e->kernel, got, want, e->max);
+    }
+}
+
+/* As alpha goes to 0 the lobe becomes a mirror: E = 1 and bias = (1 - v)^5. */
+static void mirror(void **state)
+{
+    size_t i;
+    int b;
+    (void)state;
+    for (i = 0; i < lobe_entry_count; i++) {
+        const lobe_entry *e = &lobe_entries[i];
+        for (b = 1; b <= 64; b++) {
+            const double v = b / 64.0, roughness = 1.0 / 512;
+            double out[LOBE_MAX_OUTPUTS];
+            if (!(fabs(albedo(e, roughness, v) - 1.0) <= e->below_max + 1e-3))
+                fail_msg("%s: E(%g, %g) = %.9g, not 1 within %g", e->kernel, roughness, v, albedo(e, roughness, v),
+                         e->below_max);
+            evaluate(e, roughness, v, out);
+            if (e->sums && !(fabs(out[1] - pow(1.0 - v, 5.0)) <= e->below_max + 1e-3))
+                fail_msg("%s: bias(%g, %g) = %.9g, not %.9g within %g", e->kernel, roughness, v, out[1],
+                         pow(1.0 - v, 5.0), e->below_max);
+        }
+    }
+}
+
+/* The true bias falls with n_dot_v for every roughness, so a model may rise by two errors at most. */
+static void bias_falls_with_the_view(void **state)
+{
+    size_t i;
+    int a, b;
+    (void)state;
+    for (i = 0; i < lobe_entry_count; i++) {
+        const lobe_entry *e = &lobe_entries[i];
+        for (a = 1; e->sums && a <= 100; a++) {
+            double least = 2.0;
+            for (b = 0; b <= 1000; b++) {
+                const double r = e->domain_lo + (1.0 - e->domain_lo) * a / 100.0;
+                const double v = fmin(1.0, e->domain_lo + 1e-6 + (1.0 - e->domain_lo) * b / 1000.0);
+                double out[LOBE_MAX_OUTPUTS];
+                evaluate(e, r, v, out);
+                if (!(out[1] <= least + 2.0 * e->max))
+                    fail_msg("%s: bias rises from %.9g to %.9g at %g %g", e->kernel, least, out[1], r, v);
+                least = fmin(least, out[1]);
+            }
+        }
+    }
+}
+
+/* Nothing jumps where the domain of the fit ends: across 2^-20 no output moves by more than 2^-10. */
+static void no_jump_at_the_edge(void **state)
+{
+    const double step = 0x1p-20;
+    size_t i;
+    int b, k, place;
+    (void)state;
+    for (i = 0; i < lobe_entry_count; i++) {
+        const lobe_entry *e = &lobe_entries[i];
+        for (place = 0; place < 2; place++) {
+            for (b = 1; b <= 512; b++) {
+                const double edge = e->domain_lo, other = b / 512.0;
+                double below[LOBE_MAX_OUTPUTS], above[LOBE_MAX_OUTPUTS];
+                evaluate(e, place ? other : edge - step, place ? edge - step : other, below);
+                evaluate(e, place ? other : edge + step, place ? edge + step : other, above);
+                for (k = 0; k < e->outputs; k++)
+                    if (!(fabs(below[k] - above[k]) <= 0x1p-10))
+                        fail_msg("%s: output %d jumps from %.9g to %.9g across %g, other input %g", e->kernel, k,
+                                 below[k], above[k], edge, other);
+            }
+        }
+    }
+}
+
+int main(void)
+{
+    const struct CMUnitTest tests[] = {
+        cmocka_unit_test(rough_and_normal),
+        cmocka_unit_test(mirror),
+        cmocka_unit_test(bias_falls_with_the_view),
+        cmocka_unit_test(no_jump_at_the_edge),
+    };
+    return cmocka_run_group_tests_name("limits", tests, NULL, NULL);
+}
