@@ -1,10 +1,15 @@
 #include "case.h"
 #include <string.h>
 #include "energy/fit.h"
+#include "split_sum/fit.h"
+#include "split_sum/front.h"
 #include "split_sum/tiers.h"
 #include "split_sum/truth_split_sum.h"
 
-#define ROUGHNESS_N_DOT_V {{"roughness", 0.001, 1.0}, {"n_dot_v", 0.001, 1.0}}
+#define ROUGHNESS_N_DOT_V                                                                                              \
+    {                                                                                                                  \
+        {"roughness", 0.001, 1.0}, { "n_dot_v", 0.001, 1.0 }                                                           \
+    }
 
 static const lobe_case cases[] = {
     {.name = "split_sum",
@@ -16,6 +21,8 @@ static const lobe_case cases[] = {
      .inputs = ROUGHNESS_N_DOT_V,
      .outputs = {"scale", "bias"},
      .truth = lobe_truth_split_sum_rows,
+     .fit = lobe_split_sum_fit,
+     .search = lobe_front_search,
      .truth_opencl = lobe_truth_split_sum_opencl,
      .vectors = &lobe_split_sum_vectors},
     {.name = "split_sum_sep",
@@ -27,7 +34,10 @@ static const lobe_case cases[] = {
      .inputs = ROUGHNESS_N_DOT_V,
      .outputs = {"scale", "bias"},
      .truth = lobe_truth_split_sum_sep_rows,
-     .truth_opencl = lobe_truth_split_sum_sep_opencl},
+     .fit = lobe_split_sum_sep_fit,
+     .search = lobe_front_search,
+     .truth_opencl = lobe_truth_split_sum_sep_opencl,
+     .vectors = &lobe_split_sum_vectors},
     {.name = "energy",
      .integral = "E = int D V n.l dl",
      .brdf = "GGX, height-correlated Smith, alpha = roughness^2",
@@ -38,6 +48,7 @@ static const lobe_case cases[] = {
      .outputs = {"E"},
      .truth = lobe_truth_energy_rows,
      .truth_opencl = lobe_truth_energy_opencl,
+     .vectors = &lobe_split_sum_vectors,
      .fit = lobe_energy_fit},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
@@ -51,10 +62,7 @@ static const lobe_case cases[] = {
      .truth_opencl = lobe_truth_split_sum_kibl_opencl},
 };
 
-const lobe_case *lobe_case_at(int i)
-{
-    return i >= 0 && (size_t)i < sizeof cases / sizeof cases[0] ? &cases[i] : NULL;
-}
+const lobe_case *lobe_case_at(int i) { return i >= 0 && (size_t)i < sizeof cases / sizeof cases[0] ? &cases[i] : NULL; }
 
 const lobe_case *lobe_case_find(const char *name)
 {

@@ -12,12 +12,12 @@ LOBEFIT_LIBS = -lm -lpthread -ldl
 CASES_CFLAGS = $(ALL_CFLAGS) -O3 $(if $(EMIT_OBJ),-DLOBE_WITH_EMIT)
 CASES_HDR := $(wildcard core/*.h models/*.h models/coeffs/*.h cases/*.h cases/*/*.h)
 
-TRUTH_SRC := $(wildcard cases/split_sum/truth_*.c cases/energy/truth_*.c) cases/split_sum/points.c cases/split_sum/tiers.c
-CASES_SRC := cases/cases.c cases/fit/rows.c cases/fit/sweep.c cases/fit/opencl.c cases/fit/vectors.c \
-             cases/fit/digest.c cases/fit/random.c $(TRUTH_SRC)
-CASES_OBJ := $(CASES_SRC:%.c=$(B)/%.o) $(B)/cases/split_sum/truth_source.o
-# Everything but main: the table of cases reaches the fits, and they the engines.
-LOBEFIT_OBJ := $(sort $(CASES_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
+# What the truth and the tests need, and what only lobefit does: the table of cases and their fits.
+TRUTH_SRC := $(wildcard cases/split_sum/truth_*.c cases/energy/truth_*.c) \
+             $(addprefix cases/fit/, digest.c opencl.c random.c rows.c sweep.c)
+TRUTH_OBJ := $(TRUTH_SRC:%.c=$(B)/%.o) $(B)/cases/split_sum/truth_source.o
+CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/split_sum/tiers.c
+LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
 
 $(B)/cases/%.o: cases/%.c $(CASES_HDR)
 	@mkdir -p $(@D)
@@ -41,16 +41,16 @@ $(B)/lobefit: $(B)/cases/lobefit.o $(LOBEFIT_OBJ) $(B)/liblobe.a
 TRUTH_TESTS := truth truth_agreement truth_opencl rows
 TESTS += $(TRUTH_TESTS:%=$(B)/test/test_%) $(wildcard cases/test/test_lobefit*.sh)
 
-$(TRUTH_TESTS:%=$(B)/test/test_%): $(B)/test/test_%: cases/test/test_%.c $(LOBEFIT_OBJ) $(B)/liblobe.a $(CASES_HDR)
+$(TRUTH_TESTS:%=$(B)/test/test_%): $(B)/test/test_%: cases/test/test_%.c $(TRUTH_OBJ) $(CASES_HDR)
 	@mkdir -p $(@D)
-	$(CC) $(CASES_CFLAGS) $< $(LOBEFIT_OBJ) $(B)/liblobe.a $(LOBEFIT_LIBS) -lcmocka -o $@
+	$(CC) $(CASES_CFLAGS) $< $(TRUTH_OBJ) $(LOBEFIT_LIBS) -lcmocka -o $@
 
 # Shell tests call the program; make test builds it first.
 test: $(B)/lobefit
 
 # How closely the integrators agree, over dense grids: three minutes, and a committed result.
-$(B)/truth_sweep: $(B)/cases/split_sum/agreement_main.o $(LOBEFIT_OBJ) $(B)/liblobe.a
-	$(LOBEFIT_LD) $(CFLAGS) $^ $(LOBEFIT_LIBS) -o $@
+$(B)/truth_sweep: $(B)/cases/split_sum/agreement_main.o $(TRUTH_OBJ)
+	$(CC) $(CFLAGS) $^ $(LOBEFIT_LIBS) -o $@
 
 .PHONY: truth-sweep
 truth-sweep: $(B)/truth_sweep

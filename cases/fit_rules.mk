@@ -1,4 +1,28 @@
 # Fits, what they write, and the measurement of what ships.
-RULES_SRC := $(wildcard cases/energy/fit*.c cases/split_sum/table_fit*.c cases/split_sum/fit*.c \
-    cases/split_sum/shipped.c) $(addprefix cases/fit/,coefficients.c fit_command.c)
+RULES_SRC := $(wildcard cases/energy/fit*.c cases/split_sum/table_*.c cases/split_sum/fit*.c cases/split_sum/form*.c cases/split_sum/front.c \
+    cases/split_sum/shipped.c) $(addprefix cases/fit/,coefficients.c fit_command.c bounds.c fit_grid.c judge_points.c truth_cache.c)
 FIT_OBJ += $(RULES_SRC:%.c=$(B)/%.o)
+
+# Stand-ins for generated headers, for a new tier or another count of coefficients: see cases/fit/blank_main.c.
+$(B)/blank: $(addprefix $(B)/cases/fit/,blank_main.o coefficients.o atomic_file.o digest.o)
+	$(CC) $(CFLAGS) $^ -o $@
+
+# Every coefficient, table, integer kernel, bound, vector and hash anew, with the bytes that are committed. What a step
+# writes is compiled into the program that runs the next, hence a make a step.
+#
+# A new closed-form tier is: a kernel in models/MODEL.h; build/blank coeffs models/coeffs MODEL TIER COUNT; a line in
+# the case's list of fits; models/f32/MODEL_TIER.c. Then lobefit fit and make emit-q30, and when both are there a line
+# in cases/split_sum/tier_rows.h and in harness/registry_rows.h, build/blank bounds, and make fit.
+FIT_MODELS := split_sum split_sum_sep energy
+LOBEFIT_AGAIN = $(MAKE) --no-print-directory $(B)/lobefit
+.PHONY: fit
+fit:
+	@set -e; $(LOBEFIT_AGAIN); \
+	for model in $(FIT_MODELS); do echo "lobefit fit $$model"; $(B)/lobefit fit $$model; done; \
+	$(MAKE) --no-print-directory emit-q30; $(LOBEFIT_AGAIN); \
+	for model in $(FIT_MODELS); do echo "lobefit bounds $$model"; $(B)/lobefit bounds $$model; done; \
+	$(LOBEFIT_AGAIN); \
+	for model in $(FIT_MODELS); do echo "lobefit vectors $$model"; $(B)/lobefit vectors $$model; done; \
+	$(MAKE) --no-print-directory hashes
+
+TESTS += cases/test/test_regenerate.sh

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "case.h"
+#include "fit/bounds.h"
 #include "fit/sweep.h"
 #if defined(LOBE_WITH_EMIT)
 #include "fit/emit.h"
@@ -18,12 +19,17 @@ static const char usage[] =
     "      --progress            rate and estimate on stderr also where that is not a terminal\n"
     "  vectors CASE              write the .vec files of every tier and format\n"
     "      --out DIR             into this folder instead of vectors; also --threads, --progress\n"
-    "  fit CASE ...              fit every tier and write its coefficient header\n"
+    "  fit CASE                  fit every tier and write its coefficient header\n"
+    "      --tier TIER           this one alone\n"
+    "      --out DIR             into DIR/coeffs and DIR/tables instead of models; also --threads, --progress\n"
+    "  bounds CASE               measure what ships, write models/coeffs/CASE_bounds.h; --out, --threads, --progress\n"
     "  search CASE | --csv FILE  search for formulas\n"
     "  emit CASE --to LANGUAGE   c, q30, cl, glsl, hlsl or fpcore; --tier TIER for one tier only\n"
     "  scene PROFILE --budget E  choose tiers for a scene\n"
     "Rows are numbers separated by white space or commas; # starts a comment, blank lines are skipped.\n"
     "Exit status: 0 all good, 1 a check failed, 2 bad usage or input.\n";
+
+static const char *const commands[] = {"truth", "vectors", "fit", "bounds", "search", "emit", "scene", NULL};
 
 static int refuse(const char *format, ...) __attribute__((format(printf, 1, 2)));
 
@@ -220,7 +226,9 @@ int main(int argc, char **argv)
     }
     if (strcmp(command, "list") == 0)
         return argc == 2 ? list() : refuse("list: '%s' is one word too many", argv[2]);
-    if (!strstr(" truth vectors fit search emit scene ", command) || strchr(command, ' ') || !*command)
+    for (i = 0; commands[i] && strcmp(commands[i], command) != 0; i++)
+        ;
+    if (!commands[i])
         return refuse("unknown command '%s'; try lobefit -h", command);
     if (strcmp(command, "scene") == 0 || (strcmp(command, "search") == 0 && argc > 2 && argv[2][0] == '-'))
         return refuse("%s: not available yet", command);
@@ -239,7 +247,7 @@ int main(int argc, char **argv)
         return emit(c, argc, argv);
     if (strcmp(command, "fit") == 0)
         return hook(command, c->fit, c, argc, argv);
-    if (strcmp(command, "search") == 0)
-        return hook(command, c->search, c, argc, argv);
-    return refuse("unknown command '%s'; try lobefit -h", command);
+    if (strcmp(command, "bounds") == 0)
+        return lobe_bounds_command(c, argc, argv);
+    return hook(command, c->search, c, argc, argv);
 }

@@ -6,6 +6,11 @@
  *   - results are returned, also as structs: no pointers, no arrays, no casts, no recursion;
  *   - LOBE_R(0.5) is a literal of the scalar type lobe_real;
  *   - only + - * / and core's own functions; a choice is lobe_select, lobe_min or lobe_max;
+ *   - arithmetic stands in the initialiser of a LOBE_LET and nowhere else: `return`, with its arguments, and
+ *     struct members take names or calls. A shader's `precise` covers just those initialisers, and what it does
+ *     not cover is fused or reassociated: other bits (harness/test/test_shaders.sh looks at every operation);
+ *   - inputs are saturated first, and no NaN or infinity arises after that: shading languages need not carry
+ *     them (lavapipe folds NaN * 0.0 to 0 even where it is precise);
  *   - coefficients are #defines of a generated header (models/coeffs). */
 #ifndef LOBE_DIALECT_H
 #define LOBE_DIALECT_H

@@ -32,7 +32,7 @@ $(B)/conform: $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o 
 	$(CC) $(ALL_CFLAGS) -Iharness $^ -o $@ $(LDFLAGS)
 
 # Tests: programs on cmocka and scripts, all of which print TAP.
-UNIT_TESTS := range arrays limits promises q30 apply vec_file judge hash
+UNIT_TESTS := range arrays limits promises q30 apply helpers vec_file judge hash
 SCRIPT_TESTS := cli embed fuzz lib sanitize vectors
 TESTS += $(UNIT_TESTS:%=$(B)/test/test_%) $(SCRIPT_TESTS:%=harness/test/test_%.sh)
 

@@ -1,5 +1,7 @@
 #include "registry.h"
-#include "../models/coeffs/split_sum_low.h"
+#include "../models/coeffs/energy_bounds.h"
+#include "../models/coeffs/split_sum_bounds.h"
+#include "../models/coeffs/split_sum_sep_bounds.h"
 #include "../models/lobe.h"
 
 const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
@@ -25,8 +27,13 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
     {                                                                                                                  \
         out[0].field = lobe_##model##_##tier##_##format(in[0].field, in[1].field);                                     \
     }
-#define ENERGY_F32(model, tier, bounds) ENERGY_CALL(model, tier, f32, f)
-#define ENERGY_Q30(model, tier, bounds) ENERGY_CALL(model, tier, q30, q)
+#define ENERGY_ARRAY(model, tier, format, field)                                                                       \
+    static void model##_##tier##_n_##format(const lobe_value *const *in, lobe_value *const *out, size_t n)             \
+    {                                                                                                                  \
+        lobe_##model##_##tier##_n_##format(&in[0]->field, &in[1]->field, &out[0]->field, n);                           \
+    }
+#define ENERGY_F32(model, tier, bounds) ENERGY_CALL(model, tier, f32, f) ENERGY_ARRAY(model, tier, f32, f)
+#define ENERGY_Q30(model, tier, bounds) ENERGY_CALL(model, tier, q30, q) ENERGY_ARRAY(model, tier, q30, q)
 #include "registry_rows.h"
 #undef DFG_F32
 #undef DFG_Q30
@@ -55,8 +62,8 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
 #define DFG_F32(model, tier, bounds) ROW(model, tier, f32, F32, 2, "scale bias", 1, model##_##tier##_n_f32, bounds)
 #define DFG_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, model##_##tier##_n_q30, bounds)
 #define DFG_Q30_SCALAR(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, NULL, bounds)
-#define ENERGY_F32(model, tier, bounds) ROW(model, tier, f32, F32, 1, "E", 0, NULL, bounds)
-#define ENERGY_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 1, "E", 0, NULL, bounds)
+#define ENERGY_F32(model, tier, bounds) ROW(model, tier, f32, F32, 1, "E", 0, model##_##tier##_n_f32, bounds)
+#define ENERGY_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 1, "E", 0, model##_##tier##_n_q30, bounds)
 const lobe_entry lobe_entries[] = {
 #include "registry_rows.h"
 };

@@ -1,7 +1,35 @@
 /* The rows of the registry, read several times with other meanings of DFG_F32 and its siblings.
- * A new tier is a line here, and its coefficient header included in registry.c.
- *   columns: model, tier, prefix of the bounds in the coefficient header
+ * A new tier is a line here, one in cases/split_sum/tier_rows.h, and its model's bounds in registry.c.
+ *   columns: model, tier, prefix of the bounds in models/coeffs/MODEL_bounds.h
  *   DFG_F32, DFG_Q30: scale and bias, with an array version; DFG_Q30_SCALAR: without
  *   ENERGY_F32, ENERGY_Q30: E */
 DFG_F32(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_Q30(split_sum, low, LOBE_SPLIT_SUM_LOW)
+DFG_F32(split_sum, medium, LOBE_SPLIT_SUM_MEDIUM)
+DFG_Q30(split_sum, medium, LOBE_SPLIT_SUM_MEDIUM)
+DFG_F32(split_sum, high, LOBE_SPLIT_SUM_HIGH)
+DFG_Q30(split_sum, high, LOBE_SPLIT_SUM_HIGH)
+DFG_F32(split_sum, table32, LOBE_SPLIT_SUM_TABLE32)
+DFG_Q30(split_sum, table32, LOBE_SPLIT_SUM_TABLE32)
+DFG_F32(split_sum, table64, LOBE_SPLIT_SUM_TABLE64)
+DFG_Q30(split_sum, table64, LOBE_SPLIT_SUM_TABLE64)
+DFG_F32(split_sum, table128, LOBE_SPLIT_SUM_TABLE128)
+DFG_Q30(split_sum, table128, LOBE_SPLIT_SUM_TABLE128)
+DFG_F32(split_sum_sep, low, LOBE_SPLIT_SUM_SEP_LOW)
+DFG_Q30(split_sum_sep, low, LOBE_SPLIT_SUM_SEP_LOW)
+DFG_F32(split_sum_sep, medium, LOBE_SPLIT_SUM_SEP_MEDIUM)
+DFG_Q30(split_sum_sep, medium, LOBE_SPLIT_SUM_SEP_MEDIUM)
+DFG_F32(split_sum_sep, high, LOBE_SPLIT_SUM_SEP_HIGH)
+DFG_Q30(split_sum_sep, high, LOBE_SPLIT_SUM_SEP_HIGH)
+DFG_F32(split_sum_sep, table32, LOBE_SPLIT_SUM_SEP_TABLE32)
+DFG_Q30(split_sum_sep, table32, LOBE_SPLIT_SUM_SEP_TABLE32)
+DFG_F32(split_sum_sep, table64, LOBE_SPLIT_SUM_SEP_TABLE64)
+DFG_Q30(split_sum_sep, table64, LOBE_SPLIT_SUM_SEP_TABLE64)
+DFG_F32(split_sum_sep, table128, LOBE_SPLIT_SUM_SEP_TABLE128)
+DFG_Q30(split_sum_sep, table128, LOBE_SPLIT_SUM_SEP_TABLE128)
+ENERGY_F32(energy, low, LOBE_ENERGY_LOW)
+ENERGY_Q30(energy, low, LOBE_ENERGY_LOW)
+ENERGY_F32(energy, medium, LOBE_ENERGY_MEDIUM)
+ENERGY_Q30(energy, medium, LOBE_ENERGY_MEDIUM)
+ENERGY_F32(energy, high, LOBE_ENERGY_HIGH)
+ENERGY_Q30(energy, high, LOBE_ENERGY_HIGH)

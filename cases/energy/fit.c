@@ -5,16 +5,18 @@
 #define LOBE_DOUBLE 1
 #define LOBE_FIT 1
 #include "fit.h"
-#include <math.h>
-#include <stdlib.h>
-#include <string.h>
 #include "../../models/energy.h"
 #include "../fit/coefficients.h"
 #include "../fit/fit_command.h"
 #include "../fit/minimax.h"
 #include "../fit/progress.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
 
-enum { MOST = 80, SCANS = 14, SECTIONS = 12, FINE = 83 };
+enum { MOST = 80, SEARCH = 90, SCANS = 14, SECTIONS = 12, FINE = 97, BELOW = 36 };
+
+#define TRUTH_LO 0.001
 
 typedef double (*kernel_fn)(const double *p, double roughness, double n_dot_v);
 
@@ -23,14 +25,14 @@ typedef struct tier {
     kernel_fn call;
     size_t count;
     double lo;
-    int coarse; /* side of the grid that the search over k uses */
-    double ridge;
+    double below; /* what an error counts below lo, down to the truth's end; 0: nothing is fitted there */
+    int coarse;   /* side of the grid that the search over k uses */
 } tier;
 
 /* side^2 points, denser toward every edge and toward low roughness and grazing views. */
 typedef struct grid {
     size_t count;
-    double *at, *e; /* rows of roughness and NdotV; the truth */
+    double *at, *e, *weight; /* rows of roughness and NdotV; the truth; what an error counts */
 } grid;
 
 /* The problem for one k: residual = matrix c + fixed. */
@@ -47,24 +49,37 @@ static double spread(double x, double lo, double dense)
     return lo + (1 - lo) * y * (1 - dense + dense * y);
 }
 
-static bool grid_make(grid *g, int side, double lo, const lobe_case *c, const lobe_fit_request *request)
+static void grid_add(grid *g, double roughness, double n_dot_v, double weight)
 {
+    g->at[2 * g->count] = roughness;
+    g->at[2 * g->count + 1] = n_dot_v;
+    g->weight[g->count++] = weight;
+}
+
+static bool grid_make(grid *g, int side, const tier *t, const lobe_case *c, const lobe_fit_request *request)
+{
+    const size_t most = (size_t)(side * side) + BELOW * BELOW;
     lobe_sweep_options options = request->sweep;
+    double x[BELOW];
     int i, k;
-    g->count = (size_t)side * (size_t)side;
-    g->at = malloc(2 * g->count * sizeof *g->at);
-    g->e = malloc(g->count * sizeof *g->e);
-    if (!g->at || !g->e) {
+    g->at = malloc(2 * most * sizeof *g->at);
+    g->e = malloc(most * sizeof *g->e);
+    g->weight = malloc(most * sizeof *g->weight);
+    if (!g->at || !g->e || !g->weight) {
         fputs("lobefit: fit: not enough memory\n", stderr);
         return false;
     }
-    for (i = 0; i < side; i++) {
-        for (k = 0; k < side; k++) {
-            double *row = g->at + 2 * (i * side + k);
-            row[0] = spread(i / (side - 1.0), lo, 0.65);
-            row[1] = spread(k / (side - 1.0), lo, 0.8);
-        }
-    }
+    for (i = 0; i < side; i++)
+        for (k = 0; k < side; k++)
+            grid_add(g, spread(i / (side - 1.0), t->lo, 0.65), spread(k / (side - 1.0), t->lo, 0.8), 1);
+    /* Each step from the truth's end to 1 is the same factor. */
+    for (i = 0; i < BELOW; i++)
+        x[i] = TRUTH_LO * pow(1 / TRUTH_LO, i / (BELOW - 1.0));
+    x[BELOW - 1] = 1;
+    for (i = 0; i < BELOW && t->below > 0; i++)
+        for (k = 0; k < BELOW; k++)
+            if (x[i] < t->lo || x[k] < t->lo)
+                grid_add(g, x[i], x[k], t->below);
     options.label = "truth";
     lobe_sweep(c->truth, g->at, 2, g->e, 1, g->count, &options);
     return true;
@@ -74,6 +89,7 @@ static void grid_free(grid *g)
 {
     free(g->at);
     free(g->e);
+    free(g->weight);
 }
 
 static void residuals(void *ctx, const double *params, size_t count, double *values)
@@ -130,8 +146,9 @@ static double solve(problem *p, double k, size_t last, lobe_fit_status *status, 
     r.ctx = p;
     r.dim = p->t->count - 1;
     r.rows = p->g->count;
+    r.weights = p->g->weight;
     o.p_last = last;
-    o.ridge = p->t->ridge;
+    o.ridge = 1e-9; /* keeps the coefficients small where two would cancel */
     o.progress = lobe_progress_print;
     o.progress_ctx = &p->line;
     if (last < 100) {
@@ -151,7 +168,7 @@ static double search(problem *p, lobe_fit_status *status)
     double best = HUGE_VAL, middle = 0, k = 0.2, c[MOST] = {0}, lo, hi, left, right, at_left, at_right;
     int i;
     for (i = 0; i < SCANS && *status != LOBE_FIT_INTERRUPTED; i++, k *= ratio) {
-        const double e = solve(p, k, 40, status, c);
+        const double e = solve(p, k, SEARCH, status, c);
         if (e < best) {
             best = e;
             middle = k;
@@ -161,21 +178,21 @@ static double search(problem *p, lobe_fit_status *status)
     hi = middle * ratio;
     left = hi - golden * (hi - lo);
     right = lo + golden * (hi - lo);
-    at_left = solve(p, left, 40, status, c);
-    at_right = solve(p, right, 40, status, c);
+    at_left = solve(p, left, SEARCH, status, c);
+    at_right = solve(p, right, SEARCH, status, c);
     for (i = 0; i < SECTIONS && *status != LOBE_FIT_INTERRUPTED; i++) {
         if (at_left < at_right) {
             hi = right;
             right = left;
             at_right = at_left;
             left = hi - golden * (hi - lo);
-            at_left = solve(p, left, 40, status, c);
+            at_left = solve(p, left, SEARCH, status, c);
         } else {
             lo = left;
             left = right;
             at_left = at_right;
             right = lo + golden * (hi - lo);
-            at_right = solve(p, right, 40, status, c);
+            at_right = solve(p, right, SEARCH, status, c);
         }
     }
     return at_left < at_right ? left : right;
@@ -184,10 +201,13 @@ static double search(problem *p, lobe_fit_status *status)
 static void judge(const tier *t, const grid *g, const double *c, lobe_coefficients *out)
 {
     double sum = 0;
-    size_t r;
+    size_t r, count = 0;
     out->max = 0;
     for (r = 0; r < g->count; r++) {
         const double error = fabs(t->call(c, g->at[2 * r], g->at[2 * r + 1]) * g->e[r] - 1);
+        if (g->weight[r] < 1)
+            continue;
+        count++;
         sum += error * error;
         if (error > out->max) {
             out->max = error;
@@ -195,7 +215,7 @@ static void judge(const tier *t, const grid *g, const double *c, lobe_coefficien
             out->at[1] = g->at[2 * r + 1];
         }
     }
-    out->rms = sqrt(sum / (double)g->count);
+    out->rms = sqrt(sum / (double)count);
 }
 
 static bool fit_on(problem *p, const grid *coarse, const grid *fine, double *c)
@@ -230,7 +250,7 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, con
     problem p = {0};
     grid coarse = {0}, fine = {0};
     double c[MOST] = {0};
-    bool good = grid_make(&coarse, t->coarse, t->lo, self, request) && grid_make(&fine, FINE, t->lo, self, request);
+    bool good = grid_make(&coarse, t->coarse, t, self, request) && grid_make(&fine, FINE, t, self, request);
     p.t = t;
     p.line = lobe_progress_line_default();
     p.line.out = request->sweep.progress ? stderr : NULL;
@@ -239,7 +259,7 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, con
         out.tier = t->name;
         out.brdf = self->brdf;
         out.domain = t->domain;
-        out.grid = "83 x 83, denser toward the edges, low roughness and grazing views";
+        out.grid = "97 x 97, denser toward the edges, low roughness and grazing views";
         out.metric = "furnace, |E f - 1| with f the polynomial for 1/E";
         out.kernel = t->kernel;
         out.source = "models/energy.h";
@@ -255,35 +275,37 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, con
     return good;
 }
 
-/* low keeps its error down to the truth's own domain, .001; the others would double theirs, or worse. */
-static bool fit_low(const lobe_case *self, const lobe_fit_request *request)
-{
-    static const tier t = {
-        "low", "lobe_energy_inverse_low", "roughness, n_dot_v in [.001, 1]", lobe_energy_inverse_low, 10, 0.001, 32,
-        1e-9};
-    return fit_tier(self, request, &t);
-}
+/* low keeps its error down to the truth's own end, .001, at no cost; medium and high would double theirs, or worse. So
+ * they are fitted on [.02, 1], and high, which would wander off below, is held there by a little weight. */
+static const tier low = {.name = "low",
+                         .kernel = "lobe_energy_inverse_low",
+                         .domain = "roughness, n_dot_v in [.001, 1]",
+                         .call = lobe_energy_inverse_low,
+                         .count = 10,
+                         .lo = TRUTH_LO,
+                         .coarse = 32};
+static const tier medium = {.name = "medium",
+                            .kernel = "lobe_energy_inverse_medium",
+                            .domain = "roughness, n_dot_v in [.02, 1]",
+                            .call = lobe_energy_inverse_medium,
+                            .count = 29,
+                            .lo = 0.02,
+                            .coarse = 32};
+static const tier high = {.name = "high",
+                          .kernel = "lobe_energy_inverse_high",
+                          .domain = "roughness, n_dot_v in [.02, 1]; down to .001 an error counts 3 percent",
+                          .call = lobe_energy_inverse_high,
+                          .count = 65,
+                          .lo = 0.02,
+                          .below = 0.03,
+                          .coarse = 44};
 
+static bool fit_low(const lobe_case *self, const lobe_fit_request *request) { return fit_tier(self, request, &low); }
 static bool fit_medium(const lobe_case *self, const lobe_fit_request *request)
 {
-    static const tier t = {"medium",
-                           "lobe_energy_inverse_medium",
-                           "roughness, n_dot_v in [.02, 1]",
-                           lobe_energy_inverse_medium,
-                           29,
-                           0.02,
-                           32,
-                           1e-9};
-    return fit_tier(self, request, &t);
+    return fit_tier(self, request, &medium);
 }
-
-static bool fit_high(const lobe_case *self, const lobe_fit_request *request)
-{
-    static const tier t = {
-        "high", "lobe_energy_inverse_high", "roughness, n_dot_v in [.02, 1]", lobe_energy_inverse_high, 65, 0.02, 44,
-        1e-9};
-    return fit_tier(self, request, &t);
-}
+static bool fit_high(const lobe_case *self, const lobe_fit_request *request) { return fit_tier(self, request, &high); }
 
 int lobe_energy_fit(const lobe_case *self, int argc, char **argv)
 {

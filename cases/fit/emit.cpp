@@ -73,7 +73,8 @@ int lobe_emit_value_q30(const char *model, const char *tier, const int32_t *in, 
         if (!find(model, tier))
             return 0;
         compiled = graph;
-        if (lobe_q_compile(&compiled, &program)) {
+        lobe_q_proof proof;
+        if (lobe_q_compile(&compiled, &program, &proof)) {
             compiled.model = 0;
             return 0;
         }

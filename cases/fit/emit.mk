@@ -25,13 +25,16 @@ emit-q30: $(B)/lobefit
 EMIT_TEST := $(B)/cases/test
 EMIT_CHECKED := $(ALL_CFLAGS) -fsanitize=signed-integer-overflow -fsanitize-undefined-trap-on-error
 EMIT_BEHIND := $(filter-out %/trace_kernels.o,$(EMIT_OBJ))
-TESTS += $(EMIT_TEST)/emit_count $(EMIT_TEST)/emit_q30 $(EMIT_TEST)/emit_q30_try $(EMIT_TEST)/emit_languages
+TESTS += $(EMIT_TEST)/emit_count $(EMIT_TEST)/emit_range $(EMIT_TEST)/emit_q30 $(EMIT_TEST)/emit_q30_try $(EMIT_TEST)/emit_languages
 
 $(EMIT_TEST)/%.o: cases/test/%.cpp $(EMIT_HDR)
 	@mkdir -p $(@D)
 	$(CXX) $(EMIT_CXXFLAGS) -c $< -o $@
 
 $(EMIT_TEST)/emit_count: $(EMIT_TEST)/test_emit_count.o $(EMIT_OBJ)
+	$(CC) $(CFLAGS) $^ -lm -o $@
+
+$(EMIT_TEST)/emit_range: $(EMIT_TEST)/test_emit_range.o $(EMIT_TEST)/emit_kernels.o $(EMIT_BEHIND)
 	$(CC) $(CFLAGS) $^ -lm -o $@
 
 $(EMIT_TEST)/emitted_rows.h: models/q30 $(wildcard models/q30/*.c)
@@ -54,7 +57,8 @@ $(EMIT_TEST)/try_%.c: $(EMIT_TEST)/emit_try
 	mv $@.new $@
 
 $(EMIT_TEST)/emit_q30_try: cases/test/test_emit_q30.c $(EMIT_TEST)/try_medium.c $(EMIT_TEST)/try_high.c \
-                           $(EMIT_TEST)/try_inverse.c $(EMIT_TEST)/emit_kernels.o $(EMIT_BEHIND) $(LIB_HDR) cases/test/test_emit_q30_rows.h
+                           $(EMIT_TEST)/try_inverse.c $(EMIT_TEST)/emit_kernels.o $(EMIT_BEHIND) $(LIB_HDR) \
+                           cases/test/test_emit_q30_rows.h
 	$(CC) $(EMIT_CHECKED) -DLOBE_TEST_TRY -Imodels/q30 $(filter %.c %.o,$^) -lm -o $@
 
 $(EMIT_TEST)/emit_fpcore: cases/test/test_emit_fpcore.c $(EMIT_OBJ)

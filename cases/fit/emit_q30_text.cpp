@@ -149,6 +149,9 @@ static int operation(const lobe_q_program *q, int i, char *text)
     case LOBE_Q_QUOTIENT:
         sprintf(line, "lobe_q_quotient(%s, %s, %d)", a, b, o->imm);
         break;
+    case LOBE_Q_LOG2:
+        sprintf(line, "lobe_q_log2(%s) - %d", a, q->op[o->a].fraction << 26);
+        break;
     case LOBE_Q_RECIPROCAL:
         sprintf(line, "lobe_q_shift_right(%s.mantissa, %s.shift - %d)", a, a, o->imm);
         break;
@@ -212,22 +215,39 @@ static void head(const lobe_q_program *q, const lobe_q_proof *proof, FILE *out)
             worst_domain, worst);
 }
 
+static void array_version(const lobe_graph *g, FILE *out)
+{
+    const int pair = g->outputs == 2;
+    char line[240];
+    const int at = snprintf(line, sizeof line, "void lobe_%s_%s_n_q30(", g->model, g->tier);
+    snprintf(line + at, sizeof line - (size_t)at, "const int32_t *roughness, const int32_t *n_dot_v, %s, size_t n)",
+             pair ? "int32_t *scale, int32_t *bias" : "int32_t *e");
+    if (strlen(line) > 120) /* as clang-format would break it */
+        sprintf(strstr(line, " size_t"), "\n%*ssize_t n)", at, "");
+    fprintf(out, "%s\n{\n    size_t i;\n", line);
+    if (pair) {
+        fprintf(out, "    for (i = 0; i < n; i++) {\n");
+        fprintf(out, "        const lobe_dfg_q30 d = lobe_%s_%s_q30(roughness[i], n_dot_v[i]);\n", g->model, g->tier);
+        fprintf(out, "        scale[i] = d.scale;\n        bias[i] = d.bias;\n    }\n}\n");
+    } else {
+        fprintf(out, "    for (i = 0; i < n; i++)\n        e[i] = lobe_%s_%s_q30(roughness[i], n_dot_v[i]);\n}\n",
+                g->model, g->tier);
+    }
+}
+
 int lobe_q_text(const lobe_graph *g, FILE *out)
 {
     static lobe_q_program program;
     lobe_q_proof proof;
     const lobe_q_program *q = &program;
     char text[32];
-    if (lobe_q_compile(g, &program))
+    if (lobe_q_compile(g, &program, &proof))
         return 2;
-    lobe_q_prove(q, &proof);
-    if (!proof.fits) {
-        fprintf(stderr, "emit: %s %s to q30: operation %d is not proved to fit in 32 bits\n", g->model, g->tier,
-                proof.worst);
-        return 1;
-    }
     head(q, &proof, out);
-    fprintf(out, "#include \"../lobe.h\"\n#include \"../../core/q30.h\"\n\n");
+    int logs = 0;
+    for (int i = 0; i < q->ops; i++)
+        logs += q->op[i].kind == LOBE_Q_LOG2;
+    fprintf(out, "#include \"../lobe.h\"\n#include \"../../core/%s.h\"\n\n", logs ? "q30_log2" : "q30");
     const int pair = g->outputs == 2;
     fprintf(out, "%s lobe_%s_%s_q30(int32_t roughness, int32_t n_dot_v)\n{\n", pair ? "lobe_dfg_q30" : "int32_t",
             g->model, g->tier);
@@ -250,17 +270,9 @@ int lobe_q_text(const lobe_graph *g, FILE *out)
         for (int i = 0; i < 2; i++)
             fprintf(out, "    d.%s = %s;\n", g->output_name[i], name(q, q->output[i], text));
         fprintf(out, "    return d;\n}\n\n");
-        char line[200];
-        const int at = snprintf(line, sizeof line, "void lobe_%s_%s_n_q30(", g->model, g->tier);
-        snprintf(line + at, sizeof line - (size_t)at,
-                 "const int32_t *roughness, const int32_t *n_dot_v, int32_t *scale, int32_t *bias, size_t n)");
-        if (strlen(line) > 120) /* as clang-format would break it */
-            sprintf(strstr(line, " size_t"), "\n%*ssize_t n)", at, "");
-        fprintf(out, "%s\n{\n    size_t i;\n    for (i = 0; i < n; i++) {\n", line);
-        fprintf(out, "        const lobe_dfg_q30 d = lobe_%s_%s_q30(roughness[i], n_dot_v[i]);\n", g->model, g->tier);
-        fprintf(out, "        scale[i] = d.scale;\n        bias[i] = d.bias;\n    }\n}\n");
     } else {
-        fprintf(out, "    return %s;\n}\n", name(q, q->output[0], text));
+        fprintf(out, "    return %s;\n}\n\n", name(q, q->output[0], text));
     }
+    array_version(g, out);
     return 0;
 }

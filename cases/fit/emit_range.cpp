@@ -175,6 +175,17 @@ static int evaluate(const lobe_graph *g, const iv *in, const iv *centre, const d
                     s.d[k] = hull(zero, slope[p].d[k]);
             }
             break;
+        case LOBE_OP_LOG2: {
+            if (a.lo <= 0.0)
+                return 1;
+            /* log2 of libm is good to an ulp; it is 0 at 1, so widen by what the size of 1 needs. */
+            const iv l = {log2(a.lo) - 0x1p-50, log2(a.hi) + 0x1p-50};
+            r = widened(l.lo, l.hi);
+            const iv scale = {1.4426950408889634, 1.4426950408889636};
+            for (int k = 0; k < ways; k++)
+                s.d[k] = divide(mul(slope[p].d[k], scale), a);
+            break;
+        }
         default:
             return 1;
         }
@@ -192,7 +203,7 @@ static int evaluate(const lobe_graph *g, const iv *in, const iv *centre, const d
     return 0;
 }
 
-int lobe_range_box(const lobe_graph *g, const lobe_box *box, lobe_interval *range)
+static int one_box(const lobe_graph *g, const lobe_box *box, lobe_interval *range)
 {
     static iv centre[LOBE_NODES];
     static slopes slope[LOBE_NODES];
@@ -207,6 +218,33 @@ int lobe_range_box(const lobe_graph *g, const lobe_box *box, lobe_interval *rang
     if (evaluate(g, at, 0, 0, centre, slope))
         return 1;
     return evaluate(g, in, centre, mid, range, slope);
+}
+
+int lobe_range_box(const lobe_graph *g, const lobe_box *box, int parts, lobe_interval *range)
+{
+    static iv now[LOBE_NODES];
+    if (parts == 1)
+        return one_box(g, box, range);
+    int first = 1;
+    for (int i = 0; i < parts * parts; i++) {
+        const int at[2] = {i / parts, i % parts};
+        lobe_box part;
+        int empty = 0;
+        for (int k = 0; k < 2; k++) {
+            const int64_t size = (int64_t)box->hi[k] - box->lo[k] + 1;
+            part.lo[k] = box->lo[k] + (int)(size * at[k] / parts);
+            part.hi[k] = box->lo[k] + (int)(size * (at[k] + 1) / parts) - 1;
+            empty |= part.hi[k] < part.lo[k];
+        }
+        if (empty)
+            continue;
+        if (one_box(g, &part, now))
+            return 1;
+        for (int k = 0; k < g->nodes; k++)
+            range[k] = first ? now[k] : hull(range[k], now[k]);
+        first = 0;
+    }
+    return 0;
 }
 
 /* One axis: 0 alone, then each octave in equal parts, more of them near 1. */

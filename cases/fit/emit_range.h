@@ -17,8 +17,11 @@ struct lobe_box {
  * v / (v + k r^2) varies at every scale; no number is left out and none is in two boxes. */
 int lobe_box_at(int i, lobe_box *box);
 
-/* Encloses each node over the box, by the narrower of natural and mean-value forms. Returns 0, or 1 where a
- * denominator may be 0 or an operation is not known here. */
-int lobe_range_box(const lobe_graph *g, const lobe_box *box, lobe_interval *range);
+/* Encloses each node over the box, by the narrower of natural and mean-value forms, and as the union over parts x parts
+ * smaller boxes. Returns 0, or 1 where a denominator may be 0 or an operation is not known here. */
+int lobe_range_box(const lobe_graph *g, const lobe_box *box, int parts, lobe_interval *range);
+
+/* Where a box does not prove what is wanted, its parts may: up to this many each way. */
+enum { LOBE_RANGE_PARTS = 16 };
 
 #endif

@@ -53,6 +53,7 @@ static void statement(const lobe_graph *g, int i, const dialect *d, FILE *out)
         operand(g, n->arg[1], d, b);
     if (n->arg[2] >= 0)
         operand(g, n->arg[2], d, c);
+    const char *own = strcmp(d->name, "c") ? "" : "lobe_";
     fprintf(out, "    %s t%d = ", d->local, i);
     switch (n->op) {
     case LOBE_OP_MIN:
@@ -70,13 +71,13 @@ static void statement(const lobe_graph *g, int i, const dialect *d, FILE *out)
         fprintf(out, "%s > 0.0%s ? %s : %s;\n", a, d->suffix, b, c);
         break;
     case LOBE_OP_EXP2:
-        fprintf(out, "lobe_exp2(%s);\n", a);
+        fprintf(out, "%sexp2(%s);\n", own, a);
         break;
     case LOBE_OP_LOG2:
-        fprintf(out, "lobe_log2(%s);\n", a);
+        fprintf(out, "%slog2(%s);\n", own, a);
         break;
     case LOBE_OP_SQRT:
-        fprintf(out, "lobe_sqrt(%s);\n", a);
+        fprintf(out, "%ssqrt(%s);\n", own, a);
         break;
     default:
         fprintf(out, "%s %s %s;\n", a, infix[n->op], b);
@@ -96,6 +97,18 @@ static void c_like(const lobe_graph *g, const dialect *d, FILE *out)
         out,
         "/* %s, %s: %d operations. Inputs and results in [0, 1].\n * Generated: lobefit emit %s --tier %s --to %s */\n",
         g->model, g->tier, count.fused, g->model, g->tier, d->name);
+    /* C takes core's functions, whose bits are the library's; elsewhere the language has its own. */
+    static const char *const calls[] = {"exp2", "log2", "sqrt"};
+    for (int k = 0; k < 3; k++)
+        for (int i = 0; i < g->nodes; i++)
+            if (g->node[i].op == LOBE_OP_EXP2 + k) {
+                fprintf(out,
+                        !strcmp(d->name, "c")
+                            ? "#include \"core/%s.h\"\n"
+                            : "/* %s is the language's own: its last bits are not the library's. */\n",
+                        calls[k]);
+                break;
+            }
     if (cl)
         fprintf(out, "#pragma OPENCL FP_CONTRACT OFF\n");
     if (!shader && !cl) {

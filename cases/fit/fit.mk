@@ -32,4 +32,5 @@ $(B)/cases/test/compare_optimisers: %: %.o $(OPTIMISER_TEST_OBJ) $(OPTIMISER_OBJ
 # The committed table; its digits depend on the C library's cos and exp, through the test functions.
 .PHONY: optimiser-table
 optimiser-table: $(B)/cases/test/compare_optimisers
-	$< > $(B)/success.txt && cp $(B)/success.txt cases/fit/success.txt
+	$< > $(B)/success.txt
+	mv $(B)/success.txt cases/fit/success.txt

@@ -37,8 +37,9 @@ lobe_minimax_options lobe_minimax_default(void);
 /* x: start in, best point out. options NULL: the defaults. */
 lobe_minimax_result lobe_minimax(const lobe_residuals *residuals, const lobe_minimax_options *options, double *x);
 
-/* What it costs, to second order in the squared p-norm, to force each parameter to 0 and let the others follow:
- * x_k^2 over twice the k-th diagonal of the inverse curvature. prices: dim. Returns NULL, or why it is refused. */
+/* What it costs, to second order and up to one common factor, to force each parameter to 0 and let the others follow:
+ * x_k^2 over twice the k-th diagonal of the inverse curvature of the p-norm. prices: dim. Returns NULL, or why it is
+ * refused. */
 const char *lobe_minimax_prices(const lobe_residuals *residuals, size_t p, const double *x, double *prices);
 
 #endif

@@ -1,7 +1,7 @@
 #include "opencl.h"
 #include <stdio.h>
 
-#if defined(__has_include)
+#if defined(__has_include) && !defined(LOBE_WITHOUT_OPENCL)
 #if __has_include(<CL/cl.h>)
 #define HAVE_OPENCL 1
 #endif

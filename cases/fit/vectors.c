@@ -47,11 +47,10 @@ static void write_head(FILE *f, const lobe_case *c, const lobe_tier_bounds *b, i
         fprintf(f, ", at least one below %.9g", b->domain_lo);
     fprintf(f, "\n# truth: %s; its own error is at most %s\n", c->integral, c->accuracy);
     fprintf(f, "# bound_max: %.9g\n", below ? b->below_max : b->max);
-    if (!below) {
+    if (!below)
         fprintf(f, "# bound_rms: %.9g\n", b->rms);
-        if (b->furnace > 0)
-            fprintf(f, "# bound_furnace: %.9g\n", b->furnace);
-    }
+    if (b->furnace > 0)
+        fprintf(f, "# bound_furnace: %.9g\n", below ? b->below_furnace : b->furnace);
     fprintf(f, "# command: build/lobefit vectors %s\n# seed: %" PRIu64 "\n# digest: %016" PRIx64 "\n", c->name,
             c->vectors->seed, digest);
 }
@@ -114,18 +113,24 @@ static int write_group(const lobe_case *c, const lobe_tier_bounds *b, int below,
 int lobe_vectors_write(const struct lobe_case *self, const char *folder, const struct lobe_sweep_options *options,
                        char *error, size_t error_size)
 {
-    int i, status;
+    int i, status, found = 0;
     error[0] = '\0';
     errno = 0;
-    if (mkdir(folder, 0777) != 0 && errno != EEXIST)
-        return refuse(error, error_size, folder, "cannot make the folder");
     for (i = 0; i < self->vectors->bound_count; i++) {
         const lobe_tier_bounds *b = &self->vectors->bounds[i];
+        if (strcmp(b->model, self->name) != 0)
+            continue;
+        if (!found++ && mkdir(folder, 0777) != 0 && errno != EEXIST)
+            return refuse(error, error_size, folder, "cannot make the folder");
         status = write_group(self, b, 0, folder, options, error, error_size);
         if (!status && b->below_max > 0)
             status = write_group(self, b, 1, folder, options, error, error_size);
         if (status)
             return status;
+    }
+    if (!found) {
+        snprintf(error, error_size, "vectors: not available for %s yet", self->name);
+        return 2;
     }
     return 0;
 }

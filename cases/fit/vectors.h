@@ -10,12 +10,12 @@ struct lobe_sweep_options;
 
 /* Where one tier may be how wrong, from its generated header. */
 typedef struct lobe_tier_bounds {
-    const char *tier, *format;
+    const char *model, *tier, *format;
     double domain_lo; /* of every input: the bounds hold on [domain_lo, 1] */
     double max, rms;
     double below_max; /* of the absolute error where an input is below domain_lo, down to the truth's domain; 0: no
                          such file is written */
-    double furnace;   /* of |E_true / E - 1|; 0: not stated */
+    double furnace, below_furnace; /* of |E_true / E - 1|, inside and below; 0: not stated */
 } lobe_tier_bounds;
 
 /* Fills at most `room` rows of inputs, multiples of 2^-24, and returns how many. below is nonzero for the rows that
@@ -25,7 +25,7 @@ typedef size_t (*lobe_points_fn)(double domain_lo, int below, uint64_t seed, dou
 typedef struct lobe_vector_set {
     uint64_t seed;
     lobe_points_fn points;
-    const lobe_tier_bounds *bounds;
+    const lobe_tier_bounds *bounds; /* rows of other models are passed over */
     int bound_count;
 } lobe_vector_set;
 

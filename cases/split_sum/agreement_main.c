@@ -31,6 +31,8 @@ static void difference(const double *in, double *out, size_t n)
         evaluate(in[2 * i], in[2 * i + 1], order_a, a);
         evaluate(in[2 * i], in[2 * i + 1], order_b, b);
         out[i] = fmax(fabs(a[0] + a[1] - b[0] - b[1]), fmax(fabs(a[0] - b[0]), fabs(a[1] - b[1])));
+        if (!isfinite(a[0] + a[1] + b[0] + b[1])) /* fmax would hide it */
+            out[i] = INFINITY;
     }
 }
 
@@ -101,7 +103,8 @@ static void quasi_monte_carlo(void)
                 options.sequence = (lobe_qmc_sequence)sequence;
                 options.samples = samples[k];
                 lobe_truth_qmc(0, at[point][0], at[point][1], &options, out, error);
-                printf("  %zu: %.1e", options.samples * (size_t)options.shifts, fabs(out[0] + out[1] - truth[0] - truth[1]));
+                printf("  %zu: %.1e", options.samples * (size_t)options.shifts,
+                       fabs(out[0] + out[1] - truth[0] - truth[1]));
             }
             puts("");
         }

@@ -131,6 +131,10 @@ static double evaluate(void)
         return -arg[0];
     if (n == 1 && strcmp(word, "sqrt") == 0)
         return sqrt(arg[0]);
+    if (n == 1 && strcmp(word, "log2") == 0)
+        return log2(arg[0]);
+    if (n == 1 && strcmp(word, "exp2") == 0)
+        return exp2(arg[0]);
     if (n == 3 && strcmp(word, "if") == 0)
         return arg[0] != 0.0 ? arg[1] : arg[2];
     wrong("unknown operator or number of arguments:", word);

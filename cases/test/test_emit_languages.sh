@@ -46,7 +46,7 @@ for header in models/coeffs/*_low.h models/coeffs/*_medium.h models/coeffs/*_hig
     case $model in energy*) pair= outputs=-DENERGY ;; esac
     mv "$one.c" "$one.emitted.c"
     # shellcheck disable=SC2086
-    $cc -std=gnu99 -ffp-contract=off -fno-math-errno -O2 -Wall -Wextra -Werror "-Dlobe_$name=emitted" -c \
+    $cc -std=gnu99 -ffp-contract=off -fno-math-errno -O2 -Wall -Wextra -Werror "-Dlobe_$name=emitted" -I. -c \
         "$one.emitted.c" -o "$one.o" >"$dir/log" 2>&1 &&
         $cc -std=gnu99 -ffp-contract=off -fno-math-errno -O2 $outputs "-DKERNEL=lobe_$name" -DEMITTED=emitted \
             "-DHEADER=\"../../models/$model.h\"" cases/test/test_emit_bits.c "$one.o" -lm -o "$one.run" >"$dir/log" 2>&1 &&
@@ -83,5 +83,17 @@ for header in models/coeffs/*_low.h models/coeffs/*_medium.h models/coeffs/*_hig
         result 1 "$name: models/q30/$name.c is there"
     fi
 done
+# Bad usage: a message, status 2, and nothing on standard output.
+refused() { # name, arguments
+    what=$1
+    shift
+    "$lobefit" emit "$@" >"$dir/out" 2>"$dir/log"
+    [ $? -eq 2 ] && [ ! -s "$dir/out" ] && [ -s "$dir/log" ]
+    result $? "refuses $what"
+}
+refused 'an unknown language' split_sum --to cobol
+refused 'an unknown tier' split_sum --tier middling --to c
+refused 'an unknown case' split_hair --to c
+refused 'no language' split_sum
 echo "1..$number"
 [ $failed -eq 0 ]

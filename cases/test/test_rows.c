@@ -40,7 +40,8 @@ static void many(void **state)
     char error[512];
     (void)state;
     for (i = 0; i < 5000; i++)
-        length += (size_t)sprintf(text + length, "%.17g %.17g\n", (double)(i + 6) / 5006, 1.0 / (double)(i + 1) + 1e-3 * (i > 0) );
+        length += (size_t)sprintf(text + length, "%.17g %.17g\n", (double)(i + 6) / 5006,
+                                  1.0 / (double)(i + 1) + 1e-3 * (i > 0));
     assert_int_equal(parse(text, length, &rows, error), 0);
     assert_int_equal(rows.count, 5000);
     for (i = 0; i < 5000; i++)

@@ -127,7 +127,8 @@ static void energy_by_another_way(void **state)
 /* Five standard errors, and one sample's worth of what a finite set of points can miss in the tail. */
 static void third_opinion(void **state)
 {
-    static const double at[][2] = {{0.0025, 0.3}, {0.01, 0.9}, {0.04, 0.05}, {0.25, 0.5}, {0.25, 1}, {1, 0.02}, {1, 0.9}};
+    static const double at[][2] = {{0.0025, 0.3}, {0.01, 0.9}, {0.04, 0.05}, {0.25, 0.5},
+                                   {0.25, 1},     {1, 0.02},   {1, 0.9}};
     size_t i;
     int smith, sequence;
     (void)state;

@@ -83,7 +83,7 @@ instructions() {
 table() {
     build=$1 bad=0
     shift
-    format='%-20s %7s %15s %11s  %-16s %-7s %15s  %s\n'
+    format='%-22s %7s %15s %11s  %-16s %-7s %15s  %s\n'
     # shellcheck disable=SC2059
     printf "$format" target entries vectors worst hash bits 'instr. f32/q30' verdict
     for row in "$@"; do

@@ -6,10 +6,10 @@ how=$1 csv=$2 compiler=$3 runner=$4
 shift 4
 name=${csv##*/}
 program=${csv%/*}/ports/${name%.csv}.elf
+rm -f "$csv"
 for tool in ${compiler%% *} ${runner%% *}; do
     if ! command -v "$tool" >/dev/null 2>&1; then
         echo "count.sh: $csv is not written: $tool is missing" >&2
-        rm -f "$csv"
         [ -z "${LOBE_REQUIRE_ALL-}" ]
         exit
     fi

@@ -64,7 +64,9 @@ $(PORT)/vulkan.row: export PREPARE = sh harness/ports/device_kernels.sh \
 .PHONY: conform counts counts-x86 counts-m0 counts-m4f FORCE
 FORCE:
 
-conform: counts $(TARGETS:%=$(PORT)/%.row)
+# A count that cannot be had is a dash in its column; the verdicts stand by themselves.
+conform: $(TARGETS:%=$(PORT)/%.row)
+	-@$(MAKE) --no-print-directory -k counts
 	@sh harness/ports/conform.sh table $(B) $(TARGETS:%=$(PORT)/%.row)
 
 $(PORT)/%.row: $(EMBEDDED) FORCE
@@ -76,6 +78,7 @@ COUNT_SRC := harness/ports/count.c harness/registry.c $(LIB_SRC)
 PEER_HDR  := $(wildcard harness/peers/*.h)
 
 counts: counts-x86 counts-m0 counts-m4f
+	@ls $(B)/counts_*.csv
 
 $(PORT)/peer_rows.h: $(PEER_HDR)
 	@mkdir -p $(@D)

@@ -4,7 +4,7 @@
 #include <stddef.h>
 #include <setjmp.h>
 #include <cmocka.h>
-#include "../../core/q30.h"
+#include "../../core/q30_log2.h"
 #include <math.h>
 
 static uint64_t random_state = 1;
@@ -141,12 +141,29 @@ static void quotients_stay_in_bound(void **state)
     }
 }
 
+/* Against the double logarithm: all small numbers, then a stride prime to every power of two, then the ends. */
+static void log2_stays_in_bound(void **state)
+{
+    double worst = 0.0;
+    int64_t x;
+    int n;
+    (void)state;
+    for (x = 1; x <= INT32_MAX; x += x < 70000 ? 1 : 1999)
+        worst = fmax(worst, fabs(lobe_q_log2((int32_t)x) / 67108864.0 - log2((double)x)));
+    if (!(worst <= LOBE_Q_LOG2_ERROR))
+        fail_msg("log2 is %g off", worst);
+    for (n = 0; n <= 30; n++)
+        assert_int_equal(lobe_q_log2((int32_t)1 << n), n * 67108864);
+    assert_int_equal(lobe_q_log2(0), 0);
+    assert_int_equal(lobe_q_log2(INT32_MIN), 0);
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(multiply_rounds_to_nearest), cmocka_unit_test(shift_rounds_to_nearest),
         cmocka_unit_test(saturation_holds_the_ends),  cmocka_unit_test(reciprocal_is_exact),
-        cmocka_unit_test(quotients_stay_in_bound),
+        cmocka_unit_test(quotients_stay_in_bound),    cmocka_unit_test(log2_stays_in_bound),
     };
     return cmocka_run_group_tests_name("fixed point", tests, NULL, NULL);
 }

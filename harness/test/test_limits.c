@@ -61,7 +61,8 @@ static void mirror(void **state)
     }
 }
 
-/* The true bias falls with n_dot_v for every roughness, so a model may rise by two errors at most. */
+/* From n_dot_v = .05 on the true bias falls for every roughness, so a model may rise by two errors at most. (Below it
+ * there is a dip: at roughness .0886 the truth is .790 at .01 and .8075 at .022.) */
 static void bias_falls_with_the_view(void **state)
 {
     size_t i;
@@ -73,7 +74,7 @@ static void bias_falls_with_the_view(void **state)
             double least = 2.0;
             for (b = 0; b <= 1000; b++) {
                 const double r = e->domain_lo + (1.0 - e->domain_lo) * a / 100.0;
-                const double v = fmin(1.0, e->domain_lo + 1e-6 + (1.0 - e->domain_lo) * b / 1000.0);
+                const double v = fmin(1.0, 0.05 + 0.95 * b / 1000.0);
                 double out[LOBE_MAX_OUTPUTS];
                 evaluate(e, r, v, out);
                 if (!(out[1] <= least + 2.0 * e->max))

@@ -4,7 +4,9 @@
 #include <math.h>
 
 #define LOBE_DOUBLE
+#include "../../models/energy.h"
 #include "../../models/split_sum.h"
+#include "../../models/split_sum_sep.h"
 
 typedef struct formula {
     const char *model, *tier;
@@ -12,9 +14,29 @@ typedef struct formula {
     double allowed; /* absolute difference of any output, over all inputs in [0, 1] */
 } formula;
 
+#define ENERGY(tier)                                                                                                   \
+    static lobe_dfg energy_##tier(double roughness, double n_dot_v)                                                    \
+    {                                                                                                                  \
+        lobe_dfg e;                                                                                                    \
+        e.scale = lobe_energy_##tier(roughness, n_dot_v);                                                              \
+        e.bias = 0.0;                                                                                                  \
+        return e;                                                                                                      \
+    }
+ENERGY(low)
+ENERGY(medium)
+ENERGY(high)
+
 /* A line a tier. Low and medium are the floors of the project; high is what 32 bits were found to hold. */
 static const formula formulas[] = {
     {"split_sum", "low", lobe_split_sum_low, 0x1p-20},
+    {"split_sum", "medium", lobe_split_sum_medium, 0x1p-18},
+    {"split_sum", "high", lobe_split_sum_high, 0x1p-18},
+    {"split_sum_sep", "low", lobe_split_sum_sep_low, 0x1p-20},
+    {"split_sum_sep", "medium", lobe_split_sum_sep_medium, 0x1p-18},
+    {"split_sum_sep", "high", lobe_split_sum_sep_high, 0x1p-18},
+    {"energy", "low", energy_low, 0x1p-25},
+    {"energy", "medium", energy_medium, 0x1p-25},
+    {"energy", "high", energy_high, 0x1p-25},
 };
 
 static void compare(const formula *f, const lobe_entry *e, int32_t roughness, int32_t n_dot_v)

@@ -1,0 +1,65 @@
+#!/bin/sh
+# What is committed is what the fitter writes: a part of `make fit`, small enough for every run, into another folder,
+# with one thread and with two.
+cd "$(dirname "$0")/../.." || exit 1
+lobefit=build/lobefit
+work=$(mktemp -d) || exit 1
+trap 'rm -rf "$work"' EXIT
+n=0 failed=0
+
+result() { # STATUS NAME
+    n=$((n + 1))
+    if [ "$1" -eq 0 ]; then echo "ok $n - $2"; else echo "not ok $n - $2"; failed=$((failed + 1)); fi
+}
+
+same() { # NAME FILE...: each file of the work folder equals the committed one
+    name=$1 status=0
+    shift
+    for file; do
+        cmp "$work/$file" "models/$file" || status=1
+    done
+    result $status "$name"
+}
+
+refused() { # NAME PATTERN ARGUMENTS...
+    name=$1 pattern=$2
+    shift 2
+    "$lobefit" "$@" >"$work/said" 2>&1
+    status=$?
+    [ $status -eq 2 ] && grep -q -- "$pattern" "$work/said"
+    result $? "$name"
+}
+
+for threads in 1 2; do
+    for tier in low medium; do
+        "$lobefit" fit energy --tier $tier --out "$work" --threads $threads
+        same "energy $tier, $threads threads" coeffs/energy_$tier.h
+    done
+    "$lobefit" fit split_sum --tier table32 --out "$work" --threads $threads
+    same "split_sum table32, $threads threads" tables/split_sum_table32_f32.c tables/split_sum_table32_u16.c
+    rm -rf "$work/coeffs" "$work/tables"
+done
+
+mkdir "$work/q30"
+for tier in low medium high; do
+    "$lobefit" emit energy --tier $tier --to q30 >"$work/q30/energy_$tier.c"
+done
+same "energy, integer kernels" q30/energy_low.c q30/energy_medium.c q30/energy_high.c
+
+refused "fit of an unknown tier" "no fit of tier 'tiny'; there are: low" fit energy --tier tiny
+refused "fit with an unknown option" "unknown option '--fast'" fit energy --fast
+refused "fit without a value" "tier needs a value" fit energy --tier
+refused "fit with no threads" "threads '0' is not a whole number" fit energy --threads 0
+refused "fit into what is no folder" "cannot make the folder" fit energy --tier low --out "$work/said/deeper"
+refused "bounds of what does not ship" "nothing of split_sum_kibl ships" bounds split_sum_kibl
+
+# An interrupted or failed fit leaves what was there: the folder holds nothing but the old file.
+mkdir -p "$work/full/coeffs"
+echo old >"$work/full/coeffs/energy_low.h"
+(ulimit -f 0; trap '' XFSZ; "$lobefit" fit energy --tier low --out "$work/full") >"$work/said" 2>&1
+status=$?
+[ $status -eq 2 ] && [ "$(cat "$work/full/coeffs/energy_low.h")" = old ] && [ "$(ls "$work/full/coeffs")" = energy_low.h ]
+result $? "a fit that cannot be written leaves the old one"
+
+echo "1..$n"
+[ $failed -eq 0 ]

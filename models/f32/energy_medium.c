@@ -1,0 +1,4 @@
+#include "../energy.h"
+#include "energy_entry.h"
+
+LOBE_ENERGY_F32(medium)

@@ -1,0 +1,3 @@
+#include "table_entry.h"
+
+LOBE_TABLE_F32(lobe_split_sum_sep_table32, 32)
