@@ -32,7 +32,7 @@ $(B)/conform: $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o 
 	$(CC) $(ALL_CFLAGS) -Iharness $^ -o $@ $(LDFLAGS)
 
 # Tests: programs on cmocka and scripts, all of which print TAP.
-UNIT_TESTS := range arrays limits promises q30 apply helpers vec_file judge hash
+UNIT_TESTS := range arrays limits promises q30 apply helpers tables vec_file judge hash
 SCRIPT_TESTS := cli embed fuzz lib sanitize vectors
 TESTS += $(UNIT_TESTS:%=$(B)/test/test_%) $(SCRIPT_TESTS:%=harness/test/test_%.sh)
 
@@ -40,6 +40,13 @@ $(UNIT_TESTS:%=$(B)/test/test_%): $(B)/test/test_%: harness/test/test_%.c \
     $(addprefix $(B)/harness/,vec_file.o rows.o conform_core.o hash.o registry.o) $(B)/liblobe.a
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) $^ -o $@ $(LDFLAGS) -lcmocka -lm
+
+# The table lookup as users of fast-math build it.
+TABLE_SRC := $(wildcard models/f32/*table*.c models/q30/*table*.c models/tables/*.c)
+TESTS += $(B)/test/test_tables_fast
+$(B)/test/test_tables_fast: harness/test/test_tables.c $(TABLE_SRC) $(LIB_HDR)
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) -Ofast harness/test/test_tables.c $(TABLE_SRC) -o $@ $(LDFLAGS) -lcmocka -lm
 
 # What the scripts call.
 TEST_NEEDS += $(B)/lobecheck $(B)/embed_vectors $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o)

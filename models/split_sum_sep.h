@@ -16,27 +16,28 @@ LOBE_FN lobe_dfg lobe_split_sum_sep_low(LOBE_COEFFS lobe_real roughness, lobe_re
 {
     LOBE_LET r = lobe_saturate(roughness);
     LOBE_LET v = lobe_saturate(n_dot_v);
-    LOBE_LET t0 = LOBE_SPLIT_SUM_SEP_LOW_C0 - v;
-    LOBE_LET t1 = r * LOBE_SPLIT_SUM_SEP_LOW_C1 + LOBE_SPLIT_SUM_SEP_LOW_C2;
-    LOBE_LET t2 = v * LOBE_SPLIT_SUM_SEP_LOW_C3 + t1;
+    LOBE_LET t0 = LOBE_SPLIT_SUM_SEP_LOW_C0 * v + LOBE_SPLIT_SUM_SEP_LOW_C1;
+    LOBE_LET t1 = LOBE_SPLIT_SUM_SEP_LOW_C2 * r + LOBE_SPLIT_SUM_SEP_LOW_C3;
+    LOBE_LET t2 = v * LOBE_SPLIT_SUM_SEP_LOW_C4 + t1;
     LOBE_LET t3 = lobe_min(t0, t2);
     LOBE_LET t4 = t3 * t3;
-    LOBE_LET t5 = LOBE_SPLIT_SUM_SEP_LOW_C4 * t4 + LOBE_SPLIT_SUM_SEP_LOW_C5;
-    LOBE_LET t6 = LOBE_SPLIT_SUM_SEP_LOW_C6 * r;
-    LOBE_LET t7 = t4 * t2;
-    LOBE_LET t8 = t5 * t7 + t3;
-    LOBE_LET t9 = t7 * t8;
-    LOBE_LET t10 = v * LOBE_SPLIT_SUM_SEP_LOW_C7 + LOBE_SPLIT_SUM_SEP_LOW_C8;
-    LOBE_LET t11 = r * LOBE_SPLIT_SUM_SEP_LOW_C9 + t10;
-    LOBE_LET t12 = LOBE_SPLIT_SUM_SEP_LOW_C10 * v + LOBE_SPLIT_SUM_SEP_LOW_C11;
-    LOBE_LET t13 = LOBE_SPLIT_SUM_SEP_LOW_C12 * v + LOBE_SPLIT_SUM_SEP_LOW_C13;
-    LOBE_LET t14 = t13 * t12 + t6;
-    LOBE_LET t15 = t9 * LOBE_SPLIT_SUM_SEP_LOW_C14 + t11;
-    LOBE_LET t16 = t15 * t14;
-    LOBE_LET t17 = LOBE_SPLIT_SUM_SEP_LOW_C15 * t6 + t16;
-    LOBE_LET t18 = LOBE_SPLIT_SUM_SEP_LOW_C16 - t17;
-    LOBE_LET e = lobe_saturate(t18);
-    LOBE_LET b = lobe_saturate(t9);
+    LOBE_LET t5 = LOBE_SPLIT_SUM_SEP_LOW_C5 * t4 + v;
+    LOBE_LET t6 = t4 * t4;
+    LOBE_LET t7 = t2 * t6;
+    LOBE_LET t8 = LOBE_SPLIT_SUM_SEP_LOW_C6 * t6 + LOBE_SPLIT_SUM_SEP_LOW_C7;
+    LOBE_LET t9 = LOBE_SPLIT_SUM_SEP_LOW_C8 * t5 + LOBE_SPLIT_SUM_SEP_LOW_C9;
+    LOBE_LET t10 = LOBE_SPLIT_SUM_SEP_LOW_C10 * t7 + LOBE_SPLIT_SUM_SEP_LOW_C11;
+    LOBE_LET t11 = t10 * r + LOBE_SPLIT_SUM_SEP_LOW_C12;
+    LOBE_LET t12 = t8 * v + r;
+    LOBE_LET t13 = t9 * t10 + LOBE_SPLIT_SUM_SEP_LOW_C13;
+    LOBE_LET t14 = LOBE_SPLIT_SUM_SEP_LOW_C14 * t1 + t13;
+    LOBE_LET t15 = t14 * t12;
+    LOBE_LET t16 = t11 - t15;
+    LOBE_LET t17 = t4 * LOBE_SPLIT_SUM_SEP_LOW_C15 + t7;
+    LOBE_LET t18 = lobe_saturate(t16);
+    LOBE_LET t19 = LOBE_SPLIT_SUM_SEP_LOW_C16 * t18;
+    LOBE_LET e = lobe_saturate(t19);
+    LOBE_LET b = lobe_saturate(t17);
     return lobe_dfg_of_bias(e, b);
 }
 

@@ -9,8 +9,8 @@
 
 static int bounds(const char *folder, const char *model, int tiers, char **tier)
 {
-    static const char *const names[] = {"F32_MAX", "F32_RMS", "F32_BELOW_MAX", "F32_FURNACE",
-                                        "Q30_MAX", "Q30_RMS", "Q30_BELOW_MAX", "Q30_FURNACE"};
+    static const char *const names[] = {"F32_MAX", "F32_RMS", "F32_BELOW_MAX", "F32_FURNACE", "F32_BELOW_FURNACE",
+                                        "Q30_MAX", "Q30_RMS", "Q30_BELOW_MAX", "Q30_FURNACE", "Q30_BELOW_FURNACE"};
     lobe_atomic_file file;
     char path[4096], prefix[128];
     int i;

@@ -17,8 +17,8 @@ $(EMIT_OBJ): $(B)/%.o: %.cpp $(EMIT_HDR)
 emit-q30: $(B)/lobefit
 	@set -e; for name in $(EMIT_TIERS); do \
 	    echo "lobefit emit $${name%_*} --tier $${name##*_} --to q30 > models/q30/$$name.c"; \
-	    $(B)/lobefit emit $${name%_*} --tier $${name##*_} --to q30 > $(B)/q30.new; \
-	    mv $(B)/q30.new models/q30/$$name.c; \
+	    $(B)/lobefit emit $${name%_*} --tier $${name##*_} --to q30 > $(B)/q30.$$$$.new; \
+	    mv $(B)/q30.$$$$.new models/q30/$$name.c; \
 	done
 
 # Tests. The compiled q30 sources trap on signed overflow there.

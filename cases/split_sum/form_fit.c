@@ -69,14 +69,14 @@ static bool fit_form(const lobe_case *self, const lobe_fit_request *request, con
                                     .call = lobe_##model##_##tier, .lo = 0.02, __VA_ARGS__}; \
         return fit_form(self, request, &f);                                                 \
     }
-#define PROGRAM(model, tier, n) TIER(model, tier, .count = n, .coarse = 14, .fine = 40, .starts = 400)
+#define PROGRAM(model, tier, n, tries) TIER(model, tier, .count = n, .coarse = 14, .fine = 60, .starts = tries)
 #define W_FORM(model, tier, soft, n, k, u)                                                  \
     TIER(model, tier, .count = n, .ridge = soft, .coarse = 26, .fine = 52, .bends = k, .constant_of_u = u, \
          .first_of_e = 0.5)
 /* clang-format on */
-PROGRAM(split_sum, low, 13)
+PROGRAM(split_sum, low, 13, 400)
 W_FORM(split_sum, medium, 1e-6, 27, 2, 17)
 W_FORM(split_sum, high, 1e-7, 56, 2, 28)
-PROGRAM(split_sum_sep, low, 17)
+PROGRAM(split_sum_sep, low, 17, 4000)
 W_FORM(split_sum_sep, medium, 1e-6, 25, 1, 13)
 W_FORM(split_sum_sep, high, 1e-7, 63, 2, 34)

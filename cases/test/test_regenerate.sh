@@ -35,6 +35,10 @@ for threads in 1 2; do
         "$lobefit" fit energy --tier $tier --out "$work" --threads $threads
         same "energy $tier, $threads threads" coeffs/energy_$tier.h
     done
+    for model in split_sum split_sum_sep; do
+        "$lobefit" fit $model --tier low --out "$work" --threads $threads
+        same "$model low, $threads threads" coeffs/${model}_low.h
+    done
     "$lobefit" fit split_sum --tier table32 --out "$work" --threads $threads
     same "split_sum table32, $threads threads" tables/split_sum_table32_f32.c tables/split_sum_table32_u16.c
     rm -rf "$work/coeffs" "$work/tables"

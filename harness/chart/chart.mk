@@ -4,6 +4,7 @@ CHART_BRDFS := split_sum split_sum_sep split_sum_kibl energy
 CHART_SIDE  ?= 1024
 
 .PHONY: chart
+.PRECIOUS: $(CHART)/%.csv $(B)/chart/%.truth $(B)/chart/%.errors
 chart: $(CHART)/split_sum.svg $(CHART)/split_sum_sep.svg $(CHART)/energy.svg
 
 $(B)/chart/errors: $(CHART)/errors.c harness/registry.c $(wildcard harness/*.h harness/peers/*.h) $(B)/liblobe.a
@@ -26,10 +27,12 @@ $(CHART)/%.csv: $(B)/chart/%.errors counts $(CHART)/join.awk
 	awk -f $(CHART)/join.awk $(B)/counts_x86.csv $(B)/counts_m4f.csv $(B)/counts_m0.csv $< >$@.new
 	mv $@.new $@
 
+front_split_sum       := front="cases/split_sum/front_corr.csv";
+front_split_sum_sep   := front="cases/split_sum/front_sep.csv";
 heading_split_sum     := Split sum, height-correlated Smith GGX: roughness and NdotV in [.02, 1]
 heading_split_sum_sep := Split sum, separable Smith GGX: roughness and NdotV in [.02, 1]
 heading_energy        := 1/E of height-correlated GGX, white furnace error: roughness and NdotV in [.02, 1]
 
 $(CHART)/%.svg: $(CHART)/%.csv $(CHART)/chart.gp
-	gnuplot -e 'in="$<"; out="$@.new.svg"; brdf="$*"; heading="$(heading_$*)"' $(CHART)/chart.gp
+	gnuplot -e 'in="$<"; out="$@.new.svg"; brdf="$*"; $(front_$*)heading="$(heading_$*)"' $(CHART)/chart.gp
 	mv $@.new.svg $@

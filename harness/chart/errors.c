@@ -15,6 +15,7 @@
 #include "../peers/split_sum.h"
 #include "../registry.h"
 #include "../../models/compensation.h"
+#include "../../models/coeffs/energy_bounds.h"
 #include "../../models/lobe.h"
 
 typedef lobe_dfg dfg_function(lobe_real, lobe_real);
@@ -28,12 +29,12 @@ typedef struct star {
 /* Operations as their table in the literature review counts them: from roughness, or from gloss where the two
  * differ by a square root that an engine stores away. */
 static const star stars[] = {
-    {"karis", "Karis 2014", "split_sum_kibl", 14, peer_karis},
-    {"iwanicki_pesce", "Iwanicki-Pesce 2015", "split_sum_sep", 16, peer_iwanicki_pesce},
-    {"lazarov", "Lazarov refit 2014", "split_sum_sep", 17, peer_lazarov},
-    {"narkowicz", "Narkowicz 2014", "split_sum_sep", 18, peer_narkowicz},
+    {"karis", "Karis", "split_sum_kibl", 14, peer_karis},
+    {"iwanicki_pesce", "Iwanicki-Pesce", "split_sum_sep", 16, peer_iwanicki_pesce},
+    {"lazarov", "Lazarov", "split_sum_sep", 17, peer_lazarov},
+    {"narkowicz", "Narkowicz", "split_sum_sep", 18, peer_narkowicz},
     {"hdrp_lite", "HDRP-Lite", "split_sum", 25, peer_hdrp_lite},
-    {"ray_tracing_gems", "Ray Tracing Gems 2019", "split_sum_sep", 37, peer_ray_tracing_gems},
+    {"ray_tracing_gems", "RT Gems", "split_sum_sep", 37, peer_ray_tracing_gems},
     {"materialx", "MaterialX", "split_sum", 43, peer_materialx},
     {"unreal5", "Unreal 5", "split_sum", 49, peer_unreal5},
 };
@@ -197,7 +198,7 @@ static void energy(void)
         {"none", "no compensation", "star", 0, inverse_none},
         {"alpha2", "1 + a^2", "star", 3, inverse_alpha2},
         {"alpha2_view", "1 + 2 a^2 v", "star", 4, inverse_alpha2_view},
-        {"kulla_conty", "Kulla-Conty 2017", "star", 38, inverse_kulla_conty},
+        {"kulla_conty", "Kulla-Conty", "star", 38, inverse_kulla_conty},
     };
     const rows r = read_rows(1);
     size_t i, k;

@@ -12,11 +12,10 @@ file < 4 {
     next
 }
 {
-    model = $4 == "star" ? "peer" : $1
     # the furnace is of 1/E
-    name = $1 == "energy" && $4 == "tier" ? "inverse_" $2 : $2
+    model = $4 == "star" ? "peer" : $1 == "energy" ? "energy_inverse" : $1
     line = $0
     for (i = 1; i <= 3; i++)
-        line = line OFS ((i, model, name, $3) in count ? count[i, model, name, $3] : "")
+        line = line OFS ((i, model, $2, $3) in count ? count[i, model, $2, $3] : "")
     print line
 }

@@ -89,7 +89,9 @@ enum { CALL_AND_RETURN = 2 };
 #define DFG_F32(model, tier, bounds) {#model, #tier, LOBE_F32, lobe_##model##_##tier##_f32, 0, 0, 0},
 #define DFG_Q30(model, tier, bounds) {#model, #tier, LOBE_Q30, 0, lobe_##model##_##tier##_q30, 0, 0},
 #define DFG_Q30_SCALAR(model, tier, bounds) DFG_Q30(model, tier, bounds)
-#define ENERGY_F32(model, tier, bounds) {#model, #tier, LOBE_F32, 0, 0, lobe_##model##_##tier##_f32, 0},
+#define ENERGY_F32(model, tier, bounds)                                                                                \
+    {#model, #tier, LOBE_F32, 0, 0, lobe_##model##_##tier##_f32, 0},                                                   \
+        {#model "_inverse", #tier, LOBE_F32, 0, 0, lobe_##model##_inverse_##tier##_f32, 0},
 #define ENERGY_Q30(model, tier, bounds) {#model, #tier, LOBE_Q30, 0, 0, 0, lobe_##model##_##tier##_q30},
 #define PEER_DFG(name) {"peer", #name, LOBE_F32, peer_##name##_f32, 0, 0, 0},
 #define PEER_ENERGY(name) {"peer", #name, LOBE_F32, 0, 0, peer_##name##_f32, 0},

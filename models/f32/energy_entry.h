@@ -1,10 +1,10 @@
-/* The public f32 functions of an energy tier: E and 1/E at one point, and over arrays in a loop that compilers
+/* The public f32 functions of one energy kernel, E or 1/E: at one point, and over arrays in a loop that compilers
  * vectorise. */
 #ifndef LOBE_ENERGY_ENTRY_H
 #define LOBE_ENERGY_ENTRY_H
 #include "../lobe.h"
 
-#define LOBE_ENERGY_ONE_F32(name)                                                                                      \
+#define LOBE_ENERGY_F32(name)                                                                                          \
     float name##_f32(float roughness, float n_dot_v) { return name(roughness, n_dot_v); }                              \
     void name##_n_f32(const float *roughness, const float *n_dot_v, float *out, size_t n)                              \
     {                                                                                                                  \
@@ -12,6 +12,5 @@
         for (i = 0; i < n; i++)                                                                                        \
             out[i] = name(roughness[i], n_dot_v[i]);                                                                   \
     }
-#define LOBE_ENERGY_F32(tier) LOBE_ENERGY_ONE_F32(lobe_energy_##tier) LOBE_ENERGY_ONE_F32(lobe_energy_inverse_##tier)
 
 #endif

@@ -1,4 +1,4 @@
 #include "../energy.h"
 #include "energy_entry.h"
 
-LOBE_ENERGY_F32(low)
+LOBE_ENERGY_F32(lobe_energy_low)

@@ -1,14 +1,14 @@
 /* Generated, not edited: lobefit emit split_sum_sep --tier low --to q30
- * Digest of the formula with its coefficients: b92ea30ad3280bd0 (FNV-1a 64 of `lobefit emit --to c`).
+ * Digest of the formula with its coefficients: 3073a7005cf77a4a (FNV-1a 64 of `lobefit emit --to c`).
  *
  * split_sum_sep, low, in 32-bit integers: inputs Q30, held at [0, 1]; results Q30 in [0, 1]. Each local's scale
  * stands beside it. Every product and shift rounds to nearest, ties up.
  * Difference to the same formula in double over [.02, 1], 1024 x 1024 points:
- *   9.03e-09 (2^-26.7) in scale at 0x05f0865f 0x01576015: got 0x071a7071, want 0.110988731209.
+ *   7.95e-09 (2^-26.9) in scale at 0x3e38d5e4 0x3fe09bfe: got 0x1556ba07, want 0.333418367865.
  * Difference to the same formula in double over [0, 1], 511 x 511 points, uniform in the logarithm:
- *   1.14e-08 (2^-26.4) in scale at 0x043c3c3c 0x0003a5a6: got 0x00495ae8, want 0.004477251560.
- * Proved by interval analysis: no value leaves 32 bits; the difference is at most 1.75e-08 over
- * [.02, 1] and 1.89e-08 over [0, 1]. */
+ *   8.50e-09 (2^-26.8) in scale at 0x05e1e1e2 0x000f8788: got 0x03e70c0d, want 0.060977002728.
+ * Proved by interval analysis: no value leaves 32 bits; the difference is at most 1.30e-08 over
+ * [.02, 1] and 1.39e-08 over [0, 1]. */
 #include "../lobe.h"
 #include "../../core/q30.h"
 
@@ -16,45 +16,44 @@ lobe_dfg_q30 lobe_split_sum_sep_low_q30(int32_t roughness, int32_t n_dot_v)
 {
     const int32_t r = lobe_q_saturate(roughness);
     const int32_t v = lobe_q_saturate(n_dot_v);
-    const int32_t t4 = lobe_q_mul(v, 1953540094, 31);     /* Q28 */
-    const int32_t t5 = -609751552 + t4;                   /* Q28 */
-    const int32_t t8 = lobe_q_mul(r, 1483710722, 31);     /* Q28 */
-    const int32_t t9 = t5 + t8;                           /* Q28 */
-    const int32_t t12 = lobe_q_mul(r, -1231855105, 31);   /* Q30 */
-    const int32_t t13 = 877713536 + t12;                  /* Q30 */
-    const int32_t t15 = lobe_q_mul(v, -503672000, 31);    /* Q30 */
-    const int32_t t16 = t13 + t15;                        /* Q30 */
-    const int32_t t18 = 839413632 - v;                    /* Q30 */
-    const int32_t t19 = lobe_q_min(t18, t16);             /* Q30 */
-    const int32_t t20 = lobe_q_mul(t19, t19, 30);         /* Q30 */
-    const int32_t t21 = lobe_q_mul(t16, t20, 30);         /* Q30 */
-    const int32_t t22 = lobe_q_shift_right(t19, 1);       /* Q29 */
-    const int32_t t25 = lobe_q_mul(t20, -1111523712, 30); /* Q29 */
-    const int32_t t26 = 1998608002 + t25;                 /* Q29 */
-    const int32_t t27 = lobe_q_mul(t21, t26, 30);         /* Q29 */
-    const int32_t t28 = t22 + t27;                        /* Q29 */
-    const int32_t t29 = lobe_q_mul(t21, t28, 29);         /* Q30 */
-    const int32_t t31 = lobe_q_mul(t29, 1673108351, 30);  /* Q28 */
-    const int32_t t32 = t9 + t31;                         /* Q28 */
-    const int32_t t34 = lobe_q_mul(r, 452629567, 31);     /* Q30 */
-    const int32_t t35 = t34 * 8;                          /* Q33 */
-    const int32_t t38 = lobe_q_mul(v, 1229888257, 31);    /* Q30 */
-    const int32_t t39 = -44174116 + t38;                  /* Q30 */
-    const int32_t t42 = lobe_q_mul(v, 1357979264, 31);    /* Q32 */
-    const int32_t t43 = -1564669054 + t42;                /* Q32 */
-    const int32_t t44 = lobe_q_mul(t39, t43, 29);         /* Q33 */
-    const int32_t t45 = t35 + t44;                        /* Q33 */
-    const int32_t t46 = lobe_q_mul(t32, t45, 31);         /* Q30 */
-    const int32_t t48 = lobe_q_mul(t34, 1722647548, 30);  /* Q30 */
-    const int32_t t49 = t46 + t48;                        /* Q30 */
-    const int32_t t50 = 1131928065 - t49;                 /* Q30 */
-    const int32_t t51 = lobe_q_min(t50, 1073741824);      /* Q30 */
-    const int32_t t52 = lobe_q_clamp(t29, 0, 1073741824); /* Q30 */
-    const int32_t t53 = t51 - t52;                        /* Q30 */
-    const int32_t t54 = lobe_q_max(t53, 0);               /* Q30 */
+    const int32_t t5 = lobe_q_mul(r, -1474232065, 31);    /* Q30 */
+    const int32_t t6 = 1094114175 + t5;                   /* Q30 */
+    const int32_t t9 = lobe_q_mul(v, -928228929, 31);     /* Q30 */
+    const int32_t t10 = t6 + t9;                          /* Q30 */
+    const int32_t t13 = lobe_q_mul(v, -1214912642, 30);   /* Q30 */
+    const int32_t t14 = 1053629376 + t13;                 /* Q30 */
+    const int32_t t15 = lobe_q_min(t14, t10);             /* Q30 */
+    const int32_t t16 = lobe_q_mul(t15, t15, 30);         /* Q30 */
+    const int32_t t17 = lobe_q_mul(t16, t16, 30);         /* Q30 */
+    const int32_t t18 = lobe_q_mul(t10, t17, 30);         /* Q30 */
+    const int32_t t20 = lobe_q_mul(t18, -1260087806, 30); /* Q30 */
+    const int32_t t21 = -86757792 + t20;                  /* Q30 */
+    const int32_t t22 = lobe_q_mul(r, t21, 30);           /* Q30 */
+    const int32_t t23 = 1155528578 + t22;                 /* Q30 */
+    const int32_t t27 = lobe_q_mul(t16, 860658431, 31);   /* Q30 */
+    const int32_t t28 = v + t27;                          /* Q30 */
+    const int32_t t30 = lobe_q_mul(t28, -1224437504, 30); /* Q27 */
+    const int32_t t31 = 375964991 + t30;                  /* Q27 */
+    const int32_t t32 = lobe_q_mul(t21, t31, 27);         /* Q30 */
+    const int32_t t33 = 901491072 + t32;                  /* Q30 */
+    const int32_t t35 = lobe_q_mul(t6, -1675426816, 31);  /* Q30 */
+    const int32_t t36 = t33 + t35;                        /* Q30 */
+    const int32_t t39 = lobe_q_mul(t17, -1130610815, 30); /* Q29 */
+    const int32_t t40 = -195092672 + t39;                 /* Q29 */
+    const int32_t t41 = lobe_q_mul(v, t40, 29);           /* Q30 */
+    const int32_t t42 = r + t41;                          /* Q30 */
+    const int32_t t43 = lobe_q_mul(t36, t42, 30);         /* Q30 */
+    const int32_t t44 = t23 - t43;                        /* Q30 */
+    const int32_t t45 = lobe_q_min(t44, 1073741824);      /* Q30 */
+    const int32_t t47 = lobe_q_mul(t45, 2114108033, 31);  /* Q30 */
+    const int32_t t49 = lobe_q_mul(t16, 124661016, 31);   /* Q30 */
+    const int32_t t50 = t18 + t49;                        /* Q30 */
+    const int32_t t51 = lobe_q_clamp(t50, 0, 1073741824); /* Q30 */
+    const int32_t t52 = t47 - t51;                        /* Q30 */
+    const int32_t t53 = lobe_q_max(t52, 0);               /* Q30 */
     lobe_dfg_q30 d;
-    d.scale = t54;
-    d.bias = t52;
+    d.scale = t53;
+    d.bias = t51;
     return d;
 }
 
