@@ -23,10 +23,10 @@ check()
 }
 
 # q30 is C; the rest is for every language.
-shared=$(ls core/*.h | grep -v -e q30.h)
+shared=$(ls core/*.h | grep -v q30)
 for h in $shared; do echo "#include \"$h\""; done >"$scratch/all.h"
 cat "$scratch/all.h" >"$scratch/all.cl"
-{ cat "$scratch/all.h"; echo '#include "core/q30.h"'; echo 'int main(void) { return 0; }'; } >"$scratch/all.c"
+{ cat "$scratch/all.h"; echo '#include "core/q30.h"'; for h in core/q30_*.h; do echo "#include \"$h\""; done; echo 'int main(void) { return 0; }'; } >"$scratch/all.c"
 use='lobe_frame f = lobe_frame_around(lobe_vec3_of(o[0], o[1], o[2]));
     lobe_uv uv = lobe_equal_area_encode(f.tangent);
     o[3] = lobe_pow(uv.u, uv.v) + lobe_schlick(o[1], o[2], o[3]) + lobe_smith_v_correlated(o[0], o[1], o[2]);'

@@ -32,7 +32,7 @@ check 'the hashes are those of lobecheck' sh -c "grep ^hash '$work/out' | awk '{
 check 'and last comes the verdict' sh -c "[ \"\$(tail -n 1 '$work/out')\" = 'conform: ok' ]"
 check 'moved vectors as a program' conform moved --hashes "$work/hashes.txt" "$work/moved.vec"
 check 'it fails' exits 1 '' "$work/moved"
-check 'at the moved row' grep -qE 'rows 3 passed 2 worst 0\.5000000.. at 3f800000 3e800000 got .* BROKEN$' "$work/out"
+check 'at the moved row' grep -qE 'rows 3 passed 2 worst 0\.(5000000|4999999).. at 3f800000 3e800000 got .* BROKEN$' "$work/out"
 check 'a wrong hash as a program' conform wrong --hashes "$work/wrong.txt" "$work/good.vec"
 check 'it fails too' exits 1 '' "$work/wrong"
 check 'at the hash' grep -q '^hash .* differs$' "$work/out"
