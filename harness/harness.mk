@@ -1,5 +1,5 @@
 # lobecheck, its tests, fuzzing and benchmarks.
-CHECK_SRC := $(addprefix harness/,lobecheck.c run.c eval.c hash_check.c bench.c hash_file.c vec_file.c rows.c \
+CHECK_SRC := $(addprefix harness/,lobecheck.c run.c eval.c hash_check.c bench.c bench_table.c hash_file.c vec_file.c rows.c \
              conform_core.c hash.c registry.c)
 CHECK_HDR := $(wildcard harness/*.h)
 CHECK_OBJ := $(CHECK_SRC:%.c=$(B)/%.o)
@@ -32,7 +32,7 @@ $(B)/conform: $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o 
 	$(CC) $(ALL_CFLAGS) -Iharness $^ -o $@ $(LDFLAGS)
 
 # Tests: programs on cmocka and scripts, all of which print TAP.
-UNIT_TESTS := range arrays limits promises q30 apply helpers tables vec_file judge hash
+UNIT_TESTS := range arrays limits promises q30 apply diffuse_sh diffuse_sh_radiance helpers tables vec_file judge hash
 SCRIPT_TESTS := cli embed fuzz lib sanitize vectors
 TESTS += $(UNIT_TESTS:%=$(B)/test/test_%) $(SCRIPT_TESTS:%=harness/test/test_%.sh)
 

@@ -6,7 +6,7 @@ folder=$1 text=$2 language=$3
 shift 3
 mkdir -p "$folder"
 rm -f "$folder"/*."$language" "$folder"/*.comp "$folder"/*.spv "$folder/kernels.txt"
-describe() { awk -v want="$1" -v kernel="${2-}" -f harness/ports/kernels.awk models/lobe.h "$files"; }
+describe() { awk -v want="$1" -v kernel="${2-}" -f harness/ports/kernels.awk harness/registry_rows.h "$files"; }
 files=$folder/all.txt
 cat "$@" >"$files"
 describe list >"$folder/kernels.new"

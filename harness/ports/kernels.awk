@@ -1,16 +1,25 @@
-# Finds the f32 kernels that the public header promises, and writes each as a program for a device.
+# Finds the kernels of the f32 tiers, and writes each as a program for a device.
 #
-#   awk -v want=list|glsl|cl|c [-v kernel=NAME] -f kernels.awk models/lobe.h HEADER...
+#   awk -v want=list|glsl|cl|c [-v kernel=NAME] -f kernels.awk harness/registry_rows.h HEADER...
 #
-# A kernel is a LOBE_FN of scalars whose name with _f32 behind it stands in the public header (the first file).
+# A kernel is a LOBE_FN of scalars named lobe_MODEL_TIER, where the registry (the first file) has a row of that model
+# and tier in f32. Tables have no kernel: they are texture fetches; nor has a tier without inputs, a constant.
 #   list  a line a kernel: name, number of inputs, number of outputs
 #   glsl  main of a compute shader for `kernel`; cl: an OpenCL kernel `run`; both go behind the shader text
 #   c     host wrappers over arrays and a table of them
 
 FNR == 1 { file++ }
 
+file == 1 {
+    if (match($0, /^[A-Z0-9_]+_F32\([a-z0-9_]+, *[a-z0-9_]+/)) {
+        row = $0
+        sub(/^[A-Z0-9_]+\(/, "", row)
+        split(row, word, /, */)
+        registered["lobe_" word[1] "_" word[2]] = 1
+    }
+    next
+}
 # Comments and line ends go, so that a declaration is one piece of text.
-file == 1 { public = public $0 " "; next }
 { sub(/\/\/.*/, ""); text = text $0 " " }
 
 function uncomment(s,    from, to, out) {
@@ -50,9 +59,11 @@ function find_kernels(s,    head, type, name, args, n) {
         sub(/\(.*/, "", name)
         args = head
         sub(/[^(]*\(/, "", args)
-        if (index(public, name "_f32(") == 0 || (type != "lobe_real" && !(type in count)))
+        if (!(name in registered) || (type != "lobe_real" && !(type in count)))
             continue
         n = gsub(/lobe_real/, "", args)
+        if (n == 0 || index(args, "lobe_") > 0)
+            continue
         kernels++
         names[kernels] = name
         types[name] = type

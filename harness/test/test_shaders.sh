@@ -96,13 +96,13 @@ done
 text=$B/dist/lobe.shader.h
 check "$text is made" make -s "$text"
 if [ -s "$text" ]; then
-    awk -v want=list -f harness/ports/kernels.awk models/lobe.h "$text" >"$work/kernels"
+    awk -v want=list -f harness/ports/kernels.awk harness/registry_rows.h "$text" >"$work/kernels"
     check "$text has kernels" test -s "$work/kernels"
     while read -r kernel _; do
         {
             echo '#version 450'
             cat "$text"
-            awk -v want=glsl -v kernel="$kernel" -f harness/ports/kernels.awk models/lobe.h "$text"
+            awk -v want=glsl -v kernel="$kernel" -f harness/ports/kernels.awk harness/registry_rows.h "$text"
         } >"$work/k.comp"
         check "$kernel to SPIR-V" glslangValidator -V "$work/k.comp" -o "$work/k.spv"
         check "$kernel precise throughout" all_precise "$work/k.spv"

@@ -1,5 +1,5 @@
-/* The public f32 functions of a split-sum tier: the kernel at one point, and over arrays in a loop that
- * compilers vectorise. */
+/* The public f32 functions of a split-sum tier: the kernel at one point; and over arrays, in a loop that compilers
+ * vectorise, in an object of its own, compiled with LOBE_ARRAYS. */
 #ifndef LOBE_F32_ENTRY_H
 #define LOBE_F32_ENTRY_H
 #include "../lobe.h"
@@ -12,7 +12,9 @@
         out.scale = d.scale;                                                                                           \
         out.bias = d.bias;                                                                                             \
         return out;                                                                                                    \
-    }                                                                                                                  \
+    }
+
+#define LOBE_DFG_N_F32(model)                                                                                          \
     void model##_n_f32(const float *roughness, const float *n_dot_v, float *scale, float *bias, size_t n)              \
     {                                                                                                                  \
         size_t i;                                                                                                      \
