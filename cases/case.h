@@ -32,6 +32,7 @@ struct lobe_case {
     lobe_truth_opencl_fn truth_opencl;
     const lobe_vector_set *vectors; /* tiers, formats and bounds; NULL: no vectors */
     lobe_command_fn fit;
+    lobe_command_fn bounds; /* NULL: lobe_bounds_command, for models of roughness and NdotV on [.02, 1] */
     lobe_command_fn search;
     lobe_command_fn scene;
 };

@@ -1,5 +1,8 @@
 #include "case.h"
 #include <string.h>
+#include "diffuse_sh/fit.h"
+#include "diffuse_sh/tiers.h"
+#include "diffuse_sh/truth_diffuse.h"
 #include "energy/fit.h"
 #include "split_sum/fit.h"
 #include "split_sum/front.h"
@@ -50,6 +53,18 @@ static const lobe_case cases[] = {
      .truth_opencl = lobe_truth_energy_opencl,
      .vectors = &lobe_split_sum_vectors,
      .fit = lobe_energy_fit},
+    {.name = "diffuse_sh",
+     .integral = "c_k = int f(v, l) n.l Y_k(l) dl, order 3, z = n, x towards v",
+     .brdf = "Burley 2012, F90 = .5 + 2 roughness (l.h)^2, base colour 1",
+     .accuracy = "2e-14",
+     .input_count = 2,
+     .output_count = 9,
+     .inputs = {{"roughness", 0.0, 1.0}, {"n_dot_v", 0.0, 1.0}},
+     .outputs = {"c0", "c1", "c2", "c3", "c4", "c5", "c6", "c7", "c8"},
+     .truth = lobe_truth_diffuse_rows,
+     .vectors = &lobe_diffuse_vectors,
+     .fit = lobe_diffuse_fit,
+     .bounds = lobe_diffuse_bounds},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
      .brdf = "GGX, Schlick-Smith with k = alpha/2, alpha = roughness^2; a published formula was fitted to it",

@@ -7,16 +7,19 @@ LOBEFIT_LIBS = -lm -lpthread -ldl
 -include cases/fit/fit.mk
 -include cases/fit/emit.mk
 -include cases/fit_rules.mk
+-include cases/environment.mk
+-include cases/picture/picture.mk
 
 # The truth is worth -O3: its inner loop vectorises with the bits it has.
 CASES_CFLAGS = $(ALL_CFLAGS) -O3 $(if $(EMIT_OBJ),-DLOBE_WITH_EMIT)
 CASES_HDR := $(wildcard core/*.h models/*.h models/coeffs/*.h cases/*.h cases/*/*.h)
 
 # What the truth and the tests need, and what only lobefit does: the table of cases and their fits.
-TRUTH_SRC := $(wildcard cases/split_sum/truth_*.c cases/energy/truth_*.c) \
+TRUTH_SRC := $(wildcard cases/split_sum/truth_*.c cases/energy/truth_*.c cases/diffuse_sh/truth_*.c) \
              $(addprefix cases/fit/, digest.c opencl.c random.c rows.c sweep.c)
 TRUTH_OBJ := $(TRUTH_SRC:%.c=$(B)/%.o) $(B)/cases/split_sum/truth_source.o
-CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/split_sum/tiers.c
+CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/split_sum/tiers.c \
+             $(addprefix cases/diffuse_sh/, points.c tiers.c closed_form.c metric.c shipped.c)
 LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
 
 $(B)/cases/%.o: cases/%.c $(CASES_HDR)
@@ -44,6 +47,11 @@ TESTS += $(TRUTH_TESTS:%=$(B)/test/test_%) $(wildcard cases/test/test_lobefit*.s
 $(TRUTH_TESTS:%=$(B)/test/test_%): $(B)/test/test_%: cases/test/test_%.c $(TRUTH_OBJ) $(CASES_HDR)
 	@mkdir -p $(@D)
 	$(CC) $(CASES_CFLAGS) $< $(TRUTH_OBJ) $(LOBEFIT_LIBS) -lcmocka -o $@
+
+TESTS += $(B)/test/test_diffuse_sh_truth
+$(B)/test/test_diffuse_sh_truth: cases/test/test_diffuse_sh.c cases/diffuse_sh/closed_form.c $(TRUTH_OBJ) $(CASES_HDR)
+	@mkdir -p $(@D)
+	$(CC) $(CASES_CFLAGS) $< cases/diffuse_sh/closed_form.c $(TRUTH_OBJ) $(LOBEFIT_LIBS) -lcmocka -o $@
 
 # Shell tests call the program; make test builds it first.
 test: $(B)/lobefit

@@ -1,6 +1,6 @@
 # Fits, what they write, and the measurement of what ships.
 RULES_SRC := $(wildcard cases/energy/fit*.c cases/split_sum/table_*.c cases/split_sum/fit*.c cases/split_sum/form*.c cases/split_sum/front.c \
-    cases/split_sum/shipped.c) $(addprefix cases/fit/,coefficients.c fit_command.c bounds.c fit_grid.c judge_points.c truth_cache.c)
+    cases/split_sum/shipped.c $(addprefix cases/diffuse_sh/,bounds.c constants.c fit.c)) $(addprefix cases/fit/,coefficients.c fit_command.c bounds.c fit_grid.c judge_points.c truth_cache.c)
 FIT_OBJ += $(RULES_SRC:%.c=$(B)/%.o)
 
 # Stand-ins for generated headers, for a new tier or another count of coefficients: see cases/fit/blank_main.c.
@@ -13,7 +13,7 @@ $(B)/blank: $(addprefix $(B)/cases/fit/,blank_main.o coefficients.o atomic_file.
 # A new closed-form tier is: a kernel in models/MODEL.h; build/blank coeffs models/coeffs MODEL TIER COUNT; a line in
 # the case's list of fits; models/f32/MODEL_TIER.c. Then lobefit fit and make emit-q30, and when both are there a line
 # in cases/split_sum/tier_rows.h and in harness/registry_rows.h, build/blank bounds, and make fit.
-FIT_MODELS := split_sum split_sum_sep energy
+FIT_MODELS := split_sum split_sum_sep energy diffuse_sh
 LOBEFIT_AGAIN = $(MAKE) --no-print-directory $(B)/lobefit
 .PHONY: fit
 fit:
@@ -26,3 +26,28 @@ fit:
 	$(MAKE) --no-print-directory hashes
 
 TESTS += cases/test/test_regenerate.sh
+
+# Any BRDF that is one kernel: make project-brdf BRDF=path/to/my.h builds build/project_my, which projects and fits
+# lobe_brdf_my (or BRDF_NAME=its_name). See cases/diffuse_sh/project_brdf.c.
+BRDF ?= cases/diffuse_sh/brdf/eon.h
+BRDF_KEY = $(basename $(notdir $(BRDF)))
+BRDF_NAME ?= lobe_brdf_$(BRDF_KEY)
+.PHONY: project-brdf
+project-brdf: $(B)/project_$(BRDF_KEY)
+	@echo "$< truth ROUGHNESS NDOTV | table | fit DEGREE NAME"
+
+PROJECT_BRDF = @mkdir -p $(@D); \
+	$(CC) $(ALL_CFLAGS) -I. -DLOBE_BRDF_HEADER='"$(abspath $(1))"' -DLOBE_BRDF=$(2) cases/diffuse_sh/project_brdf.c \
+	    cases/diffuse_sh/truth_diffuse.c -o $@ -lm
+PROJECT_NEEDS := $(addprefix cases/diffuse_sh/,project_brdf.c truth_diffuse.c truth_diffuse.h) $(CORE_HDR)
+
+# Those that come with it, for the test; then the one that was asked for, if it is another.
+BRDFS := $(basename $(notdir $(wildcard cases/diffuse_sh/brdf/*.h)))
+$(BRDFS:%=$(B)/project_%): $(B)/project_%: cases/diffuse_sh/brdf/%.h $(PROJECT_NEEDS)
+	$(call PROJECT_BRDF,$<,lobe_brdf_$*)
+ifeq ($(filter $(BRDF_KEY),$(BRDFS)),)
+$(B)/project_$(BRDF_KEY): $(BRDF) $(PROJECT_NEEDS)
+	$(call PROJECT_BRDF,$(BRDF),$(BRDF_NAME))
+endif
+TEST_NEEDS += $(BRDFS:%=$(B)/project_%)
+TESTS += cases/test/test_project_brdf.sh

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "case.h"
+#include "environment/project_command.h"
 #include "fit/bounds.h"
 #include "fit/sweep.h"
 #if defined(LOBE_WITH_EMIT)
@@ -26,6 +27,12 @@ static const char usage[] =
     "  search CASE | --csv FILE  search for formulas\n"
     "  emit CASE --to LANGUAGE   c, q30, cl, glsl, hlsl or fpcore; --tier TIER for one tier only\n"
     "  scene PROFILE --budget E  choose tiers for a scene\n"
+    "  project FILE              an equirectangular map, RGBE (.hdr) or PFM, as nine SH coefficients a channel\n"
+    "      --c NAME              as a C array instead of rows of red green blue\n"
+    "      --sun                 the sun as a punctual light (direction, irradiance), the rest as coefficients\n"
+    "      --sun-share S         only where it carries this share of the mean irradiance, in [0, 4], 0.5 if left out\n"
+    "      --window positive     the least smoothing that leaves no negative irradiance; or hanning, or none\n"
+    "      --up y                for a world with y up, middle of the map along -z; z up, along +x if left out\n"
     "Rows are numbers separated by white space or commas; # starts a comment, blank lines are skipped.\n"
     "Exit status: 0 all good, 1 a check failed, 2 bad usage or input.\n";
 
@@ -226,6 +233,8 @@ int main(int argc, char **argv)
     }
     if (strcmp(command, "list") == 0)
         return argc == 2 ? list() : refuse("list: '%s' is one word too many", argv[2]);
+    if (strcmp(command, "project") == 0)
+        return lobe_project_command(argc - 2, argv + 2);
     for (i = 0; commands[i] && strcmp(commands[i], command) != 0; i++)
         ;
     if (!commands[i])
@@ -248,6 +257,6 @@ int main(int argc, char **argv)
     if (strcmp(command, "fit") == 0)
         return hook(command, c->fit, c, argc, argv);
     if (strcmp(command, "bounds") == 0)
-        return lobe_bounds_command(c, argc, argv);
+        return c->bounds ? c->bounds(c, argc, argv) : lobe_bounds_command(c, argc, argv);
     return hook(command, c->search, c, argc, argv);
 }

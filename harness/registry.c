@@ -1,4 +1,5 @@
 #include "registry.h"
+#include "../models/coeffs/diffuse_sh_bounds.h"
 #include "../models/coeffs/energy_bounds.h"
 #include "../models/coeffs/split_sum_bounds.h"
 #include "../models/coeffs/split_sum_sep_bounds.h"
@@ -34,15 +35,51 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
     }
 #define ENERGY_F32(model, tier, bounds) ENERGY_CALL(model, tier, f32, f) ENERGY_ARRAY(model, tier, f32, f)
 #define ENERGY_Q30(model, tier, bounds) ENERGY_CALL(model, tier, q30, q) ENERGY_ARRAY(model, tier, q30, q)
+#define SH9_OUT(out, field, from)                                                                                      \
+    do {                                                                                                               \
+        int k;                                                                                                         \
+        for (k = 0; k < 9; k++)                                                                                        \
+            (out)[k].field = (from).c[k];                                                                              \
+    } while (0)
+#define SH9_CALL(model, tier, format, field)                                                                           \
+    static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
+    {                                                                                                                  \
+        const lobe_sh9_##format c = lobe_##model##_##tier##_##format(in[0].field, in[1].field);                        \
+        SH9_OUT(out, field, c);                                                                                        \
+    }
+#define SH9_ARRAY(model, tier, format, field, type)                                                                    \
+    static void model##_##tier##_n_##format(const lobe_value *const *in, lobe_value *const *out, size_t n)             \
+    {                                                                                                                  \
+        type *const c[9] = {&out[0]->field, &out[1]->field, &out[2]->field, &out[3]->field, &out[4]->field,            \
+                            &out[5]->field, &out[6]->field, &out[7]->field, &out[8]->field};                           \
+        lobe_##model##_##tier##_n_##format(&in[0]->field, &in[1]->field, c, n);                                        \
+    }
+#define SH9_CONSTANT(model, tier, format, field)                                                                       \
+    static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
+    {                                                                                                                  \
+        const lobe_sh9_##format c = lobe_##model##_##tier##_##format();                                                \
+        (void)in;                                                                                                      \
+        SH9_OUT(out, field, c);                                                                                        \
+    }
+#define SH9_F32(model, tier, bounds) SH9_CALL(model, tier, f32, f) SH9_ARRAY(model, tier, f32, f, float)
+#define SH9_Q30(model, tier, bounds) SH9_CALL(model, tier, q30, q) SH9_ARRAY(model, tier, q30, q, int32_t)
+#define SH9_CONSTANT_F32(model, tier, bounds) SH9_CONSTANT(model, tier, f32, f)
+#define SH9_CONSTANT_Q30(model, tier, bounds) SH9_CONSTANT(model, tier, q30, q)
 #include "registry_rows.h"
 #undef DFG_F32
 #undef DFG_Q30
 #undef DFG_Q30_SCALAR
 #undef ENERGY_F32
 #undef ENERGY_Q30
+#undef SH9_F32
+#undef SH9_Q30
+#undef SH9_CONSTANT_F32
+#undef SH9_CONSTANT_Q30
 
 /* Second reading: the table. */
 #define ROW(model, tier, format, FORMAT, outputs, names, sums, array, bounds)                                          \
+    ROW_BELOW(model, tier, format, FORMAT, outputs, names, sums, array, bounds, bounds##_##FORMAT##_BELOW_MAX)
+#define ROW_BELOW(model, tier, format, FORMAT, outputs, names, sums, array, bounds, below)                             \
     {#model,                                                                                                           \
      #tier,                                                                                                            \
      "lobe_" #model "_" #tier "_" #format,                                                                             \
@@ -57,13 +94,20 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
      bounds##_OPS,                                                                                                     \
      bounds##_##FORMAT##_MAX,                                                                                          \
      bounds##_##FORMAT##_RMS,                                                                                          \
-     bounds##_##FORMAT##_BELOW_MAX,                                                                                    \
+     below,                                                                                                            \
      bounds##_DOMAIN_LO},
 #define DFG_F32(model, tier, bounds) ROW(model, tier, f32, F32, 2, "scale bias", 1, model##_##tier##_n_f32, bounds)
 #define DFG_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, model##_##tier##_n_q30, bounds)
 #define DFG_Q30_SCALAR(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, NULL, bounds)
 #define ENERGY_F32(model, tier, bounds) ROW(model, tier, f32, F32, 1, "E", 0, model##_##tier##_n_f32, bounds)
 #define ENERGY_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 1, "E", 0, model##_##tier##_n_q30, bounds)
+/* Nothing is below a domain that starts at 0. */
+#define ROW_SH9(model, tier, format, FORMAT, array, bounds)                                                            \
+    ROW_BELOW(model, tier, format, FORMAT, 9, "c0 c1 c2 c3 c4 c5 c6 c7 c8", 0, array, bounds, bounds##_##FORMAT##_MAX)
+#define SH9_F32(model, tier, bounds) ROW_SH9(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
+#define SH9_Q30(model, tier, bounds) ROW_SH9(model, tier, q30, Q30, model##_##tier##_n_q30, bounds)
+#define SH9_CONSTANT_F32(model, tier, bounds) ROW_SH9(model, tier, f32, F32, NULL, bounds)
+#define SH9_CONSTANT_Q30(model, tier, bounds) ROW_SH9(model, tier, q30, Q30, NULL, bounds)
 const lobe_entry lobe_entries[] = {
 #include "registry_rows.h"
 };

@@ -1,8 +1,9 @@
 /* The rows of the registry, read several times with other meanings of DFG_F32 and its siblings.
- * A new tier is a line here, one in cases/split_sum/tier_rows.h, and its model's bounds in registry.c.
+ * A new tier is a line here, one in its case's tier_rows.h, and its model's bounds in registry.c.
  *   columns: model, tier, prefix of the bounds in models/coeffs/MODEL_bounds.h
  *   DFG_F32, DFG_Q30: scale and bias, with an array version; DFG_Q30_SCALAR: without
- *   ENERGY_F32, ENERGY_Q30: E */
+ *   ENERGY_F32, ENERGY_Q30: E
+ *   SH9_F32, SH9_Q30: nine coefficients, with an array version; SH9_CONSTANT_F32, SH9_CONSTANT_Q30: of no inputs */
 DFG_F32(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_Q30(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_F32(split_sum, medium, LOBE_SPLIT_SUM_MEDIUM)
@@ -33,3 +34,15 @@ ENERGY_F32(energy, medium, LOBE_ENERGY_MEDIUM)
 ENERGY_Q30(energy, medium, LOBE_ENERGY_MEDIUM)
 ENERGY_F32(energy, high, LOBE_ENERGY_HIGH)
 ENERGY_Q30(energy, high, LOBE_ENERGY_HIGH)
+SH9_F32(diffuse_sh, exact, LOBE_DIFFUSE_SH_EXACT)
+SH9_Q30(diffuse_sh, exact, LOBE_DIFFUSE_SH_EXACT)
+SH9_F32(diffuse_sh, medium, LOBE_DIFFUSE_SH_MEDIUM)
+SH9_Q30(diffuse_sh, medium, LOBE_DIFFUSE_SH_MEDIUM)
+SH9_F32(diffuse_sh, low, LOBE_DIFFUSE_SH_LOW)
+SH9_Q30(diffuse_sh, low, LOBE_DIFFUSE_SH_LOW)
+SH9_F32(diffuse_sh, zonal, LOBE_DIFFUSE_SH_ZONAL)
+SH9_Q30(diffuse_sh, zonal, LOBE_DIFFUSE_SH_ZONAL)
+SH9_F32(diffuse_sh, zonal_low, LOBE_DIFFUSE_SH_ZONAL_LOW)
+SH9_Q30(diffuse_sh, zonal_low, LOBE_DIFFUSE_SH_ZONAL_LOW)
+SH9_CONSTANT_F32(diffuse_sh, lambert, LOBE_DIFFUSE_SH_LAMBERT)
+SH9_CONSTANT_Q30(diffuse_sh, lambert, LOBE_DIFFUSE_SH_LAMBERT)

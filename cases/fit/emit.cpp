@@ -17,6 +17,9 @@ static int find(const char *model, const char *tier)
     return 0;
 }
 
+/* What stands in integers for a case: of diffuse_sh its shape, with the root left to models/q30/diffuse_sh.h. */
+static const char *model_q30(const char *model) { return strcmp(model, "diffuse_sh") ? model : "diffuse_shape"; }
+
 int lobe_emit(const char *model, const char *tier, const char *language, FILE *out)
 {
     if (!find(model, tier)) {
@@ -26,7 +29,7 @@ int lobe_emit(const char *model, const char *tier, const char *language, FILE *o
         fprintf(stderr, "\n");
         return 2;
     }
-    if (!strcmp(language, "q30"))
+    if (!strcmp(language, "q30") && find(model_q30(model), tier))
         return lobe_q_text(&graph, out);
     if (lobe_graph_text(&graph, language, out)) {
         fprintf(stderr, "emit: unknown language %s; known: c q30 cl glsl es hlsl fpcore\n", language);

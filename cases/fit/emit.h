@@ -26,7 +26,8 @@ int lobe_emit_ops(FILE *out);
 /* Operations of one tier; 0, or 2 where there is no such model or tier. */
 int lobe_emit_count(const char *model, const char *tier, lobe_op_count *count);
 
-/* The formula at one point in double: outputs are scale and bias, or E. Returns how many, or 0 where unknown. */
+/* The formula at one point in double: outputs are scale and bias, or E, or nine coefficients. Returns how many, or 0
+ * where unknown. The model diffuse_shape is what of diffuse_sh is emitted as q30. */
 int lobe_emit_value(const char *model, const char *tier, const double *in, double *out);
 
 /* The same through the integer program of the q30 tier: in and out are Q30. 0 where unknown, -1 where a value on the

@@ -7,7 +7,9 @@ EMIT_HDR := $(wildcard cases/fit/trace*.h cases/fit/emit*.h cases/test/emit_kern
                        models/coeffs/*.h)
 EMIT_CXXFLAGS := -std=gnu++11 -O3 -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics \
                  -Wall -Wextra -Wconversion $(if $(WERROR),-Werror)
-EMIT_TIERS := $(sort $(patsubst models/coeffs/%.h,%,$(wildcard $(addprefix models/coeffs/*_,low.h medium.h high.h))))
+EMIT_TIERS := $(sort $(patsubst models/coeffs/%.h,%,$(wildcard $(addprefix models/coeffs/*_,low.h medium.h high.h exact.h zonal.h))))
+# The tier of a name without its model: in a recipe, after name is set.
+EMIT_SPLIT := case $$name in *_zonal_low) tier=zonal_low ;; *) tier=$${name\#\#*_} ;; esac; model=$${name%_$$tier}
 
 $(EMIT_OBJ): $(B)/%.o: %.cpp $(EMIT_HDR)
 	@mkdir -p $(@D)
@@ -16,8 +18,8 @@ $(EMIT_OBJ): $(B)/%.o: %.cpp $(EMIT_HDR)
 .PHONY: emit-q30
 emit-q30: $(B)/lobefit
 	@set -e; for name in $(EMIT_TIERS); do \
-	    echo "lobefit emit $${name%_*} --tier $${name##*_} --to q30 > models/q30/$$name.c"; \
-	    $(B)/lobefit emit $${name%_*} --tier $${name##*_} --to q30 > $(B)/q30.$$$$.new; \
+	    $(EMIT_SPLIT); echo "lobefit emit $$model --tier $$tier --to q30 > models/q30/$$name.c"; \
+	    $(B)/lobefit emit $$model --tier $$tier --to q30 > $(B)/q30.$$$$.new; \
 	    mv $(B)/q30.$$$$.new models/q30/$$name.c; \
 	done
 
@@ -39,12 +41,12 @@ $(EMIT_TEST)/emit_range: $(EMIT_TEST)/test_emit_range.o $(EMIT_TEST)/emit_kernel
 
 $(EMIT_TEST)/emitted_rows.h: models/q30 $(wildcard models/q30/*.c)
 	@mkdir -p $(@D)
-	@for name in $(basename $(notdir $(wildcard models/q30/*_low.c models/q30/*_medium.c models/q30/*_high.c))); do \
-	    case $$name in *_low) bound=LOW ;; *) bound=MEDIUM ;; esac; \
-	    echo "$${name%_*}($${name##*_}, $$bound)"; \
+	@for name in $(basename $(notdir $(wildcard $(EMIT_TIERS:%=models/q30/%.c)))); do \
+	    $(EMIT_SPLIT); case $$tier in *low) bound=LOW ;; *) bound=MEDIUM ;; esac; \
+	    echo "$$model($$tier, $$bound)"; \
 	done > $@
 
-EMIT_Q30 = $(wildcard models/q30/*_low.c models/q30/*_medium.c models/q30/*_high.c)
+EMIT_Q30 = $(wildcard $(EMIT_TIERS:%=models/q30/%.c))
 $(EMIT_TEST)/emit_q30: cases/test/test_emit_q30.c cases/test/test_emit_q30_rows.h $(EMIT_TEST)/emitted_rows.h \
                        $(EMIT_OBJ) $(wildcard models/q30/*.c) $(LIB_HDR)
 	$(CC) $(EMIT_CHECKED) -I$(EMIT_TEST) $< $(EMIT_Q30) $(EMIT_OBJ) -lm -o $@

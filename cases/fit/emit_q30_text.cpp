@@ -183,19 +183,24 @@ static void operations(const lobe_q_program *q, FILE *out)
     }
 }
 
+static int is_shape(const lobe_graph *g) { return strcmp(g->model, "diffuse_shape") == 0; }
+
+static int is_zonal(const lobe_graph *g) { return is_shape(g) && strncmp(g->tier, "zonal", 5) == 0; }
+
 static void head(const lobe_q_program *q, const lobe_q_proof *proof, FILE *out)
 {
     const lobe_graph *g = q->graph;
     measured domain, below;
     int wide;
     measure(q, &domain, &below, &wide);
-    fprintf(out, "/* Generated, not edited: lobefit emit %s --tier %s --to q30\n", g->model, g->tier);
+    fprintf(out, "/* Generated, not edited: lobefit emit %s --tier %s --to q30\n",
+            is_shape(g) ? "diffuse_sh" : g->model, g->tier);
     fprintf(out, " * Digest of the formula with its coefficients: %016llx (FNV-1a 64 of `lobefit emit --to c`).\n",
             (unsigned long long)digest(g));
     fprintf(out,
             " *\n * %s, %s, in 32-bit integers: inputs Q30, held at [0, 1]; results Q30 in [0, 1]. Each local's scale\n"
             " * stands beside it. Every product and shift rounds to nearest, ties up.\n",
-            g->model, g->tier);
+            is_shape(g) ? "Shape of diffuse_sh" : g->model, g->tier);
     const measured *const both[2] = {&domain, &below};
     const char *const where[2] = {"[.02, 1], 1024 x 1024 points", "[0, 1], 511 x 511 points, uniform in the logarithm"};
     for (int i = 0; i < 2; i++)
@@ -247,10 +252,15 @@ int lobe_q_text(const lobe_graph *g, FILE *out)
     int logs = 0;
     for (int i = 0; i < q->ops; i++)
         logs += q->op[i].kind == LOBE_Q_LOG2;
-    fprintf(out, "#include \"../lobe.h\"\n#include \"../../core/%s.h\"\n\n", logs ? "q30_log2" : "q30");
-    const int pair = g->outputs == 2;
-    fprintf(out, "%s lobe_%s_%s_q30(int32_t roughness, int32_t n_dot_v)\n{\n", pair ? "lobe_dfg_q30" : "int32_t",
-            g->model, g->tier);
+    fprintf(out, "#include \"../lobe.h\"\n#include \"../../core/%s.h\"\n%s", logs ? "q30_log2" : "q30",
+            is_shape(g) ? "" : "\n");
+    if (is_shape(g))
+        fprintf(out, "#include \"diffuse_sh.h\"\n\n");
+    const char *type = is_zonal(g)       ? "lobe_zonal_shape_q30"
+                       : is_shape(g)     ? "lobe_diffuse_shape_q30"
+                       : g->outputs == 2 ? "lobe_dfg_q30"
+                                         : "int32_t";
+    fprintf(out, "%s lobe_%s_%s_q30(int32_t roughness, int32_t n_dot_v)\n{\n", type, g->model, g->tier);
     for (int i = 0; i < 2; i++)
         fprintf(out, "    const int32_t %s = lobe_q_saturate(%s);\n", input_short[i], g->input_name[i]);
     if (q->steps) {
@@ -265,14 +275,17 @@ int lobe_q_text(const lobe_graph *g, FILE *out)
                 2 * LOBE_Q_STEP, 2 * LOBE_Q_STEP);
     }
     operations(q, out);
-    if (pair) {
-        fprintf(out, "    lobe_dfg_q30 d;\n");
-        for (int i = 0; i < 2; i++)
+    if (g->outputs > 1) {
+        fprintf(out, "    %s d;\n", type);
+        for (int i = 0; i < g->outputs; i++)
             fprintf(out, "    d.%s = %s;\n", g->output_name[i], name(q, q->output[i], text));
         fprintf(out, "    return d;\n}\n\n");
     } else {
         fprintf(out, "    return %s;\n}\n\n", name(q, q->output[0], text));
     }
-    array_version(g, out);
+    if (is_shape(g))
+        fprintf(out, "%s(%s)\n", is_zonal(g) ? "LOBE_DIFFUSE_ZONAL_Q30" : "LOBE_DIFFUSE_SH_Q30", g->tier);
+    else
+        array_version(g, out);
     return 0;
 }

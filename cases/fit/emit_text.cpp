@@ -119,6 +119,12 @@ static void c_like(const lobe_graph *g, const dialect *d, FILE *out)
         for (int i = 0; i < g->outputs; i++)
             fprintf(out, ", float *%s", g->output_name[i]);
         fprintf(out, ")\n{\n");
+    } else if (e > 1) {
+        const char *highp = !strcmp(d->name, "es") ? "highp " : "";
+        fprintf(out, "void lobe_%s_%s(%sfloat roughness, %sfloat n_dot_v", g->model, g->tier, highp, highp);
+        for (int i = 0; i < g->outputs; i++)
+            fprintf(out, ", %s%sfloat %s%s", cl ? "" : "out ", highp, cl ? "*" : "", g->output_name[i]);
+        fprintf(out, ")\n{\n");
     } else {
         const char *highp = !strcmp(d->name, "es") ? "highp " : "";
         fprintf(out, "%s%s%s lobe_%s_%s(%sfloat roughness, %sfloat n_dot_v)%s\n{\n", cl ? "" : "", highp,
@@ -130,6 +136,9 @@ static void c_like(const lobe_graph *g, const dialect *d, FILE *out)
     if (!shader && !cl) {
         for (int i = 0; i < g->outputs; i++)
             fprintf(out, "    *%s = %s;\n", g->output_name[i], operand(g, g->output[i], d, text));
+    } else if (e > 1) {
+        for (int i = 0; i < g->outputs; i++)
+            fprintf(out, "    %s%s = %s;\n", cl ? "*" : "", g->output_name[i], operand(g, g->output[i], d, text));
     } else if (e) {
         fprintf(out, "    return %s%s%s(%s, ", cl ? "(" : "", pair, cl ? ")" : "", operand(g, g->output[0], d, text));
         fprintf(out, "%s);\n", operand(g, g->output[1], d, text));

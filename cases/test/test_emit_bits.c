@@ -1,6 +1,6 @@
 /* Emitted C against the kernel that it came from: equal bits on random inputs and on special ones.
  * Compiled once a tier: HEADER and KERNEL name the kernel, EMITTED the emitted function, ENERGY where it has one
- * result. */
+ * result, SH9 where it has nine. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -9,6 +9,9 @@
 
 #if defined(ENERGY)
 void EMITTED(float roughness, float n_dot_v, float *energy);
+#elif defined(SH9)
+void EMITTED(float roughness, float n_dot_v, float *c0, float *c1, float *c2, float *c3, float *c4, float *c5,
+             float *c6, float *c7, float *c8);
 #else
 void EMITTED(float roughness, float n_dot_v, float *scale, float *bias);
 #endif
@@ -17,10 +20,15 @@ static long different;
 
 static void at(float r, float v)
 {
-    float got[2] = {0.0f, 0.0f}, want[2] = {0.0f, 0.0f};
+    float got[9] = {0.0f}, want[9] = {0.0f};
 #if defined(ENERGY)
     EMITTED(r, v, &got[0]);
     want[0] = KERNEL(r, v);
+#elif defined(SH9)
+    const lobe_sh9 c = KERNEL(r, v);
+    const float all[9] = {c.c0, c.c1, c.c2, c.c3, c.c4, c.c5, c.c6, c.c7, c.c8};
+    memcpy(want, all, sizeof all);
+    EMITTED(r, v, &got[0], &got[1], &got[2], &got[3], &got[4], &got[5], &got[6], &got[7], &got[8]);
 #else
     const lobe_dfg d = KERNEL(r, v);
     EMITTED(r, v, &got[0], &got[1]);

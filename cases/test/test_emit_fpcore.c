@@ -178,7 +178,7 @@ static double core(const double *in)
 
 int main(int argc, char **argv)
 {
-    double in[2], want[2];
+    double in[2], want[9];
     int i, o, n;
     if (argc != 3)
         return 2;

@@ -32,24 +32,30 @@ shader() { # stage, options, name
     fi
 }
 
-for header in models/coeffs/*_low.h models/coeffs/*_medium.h models/coeffs/*_high.h; do
+for header in models/coeffs/*_low.h models/coeffs/*_medium.h models/coeffs/*_high.h models/coeffs/*_exact.h \
+    models/coeffs/*_zonal.h; do
     [ -f "$header" ] || continue
     name=$(basename "$header" .h)
-    model=${name%_*} tier=${name##*_}
+    case $name in *_zonal_low) tier=zonal_low ;; *) tier=${name##*_} ;; esac
+    model=${name%_"$tier"}
     one=$dir/$name
     for to in c cl glsl es hlsl fpcore; do
         # es is GLSL ES: the same text with precisions
         "$lobefit" emit "$model" --tier "$tier" --to "$to" >"$one.$to" 2>"$dir/log" || result 1 "$name: emits $to"
     done
 
-    pair=2 outputs=
-    case $model in energy*) pair= outputs=-DENERGY ;; esac
+    pair=2 outputs= kernels=$model
+    case $name in
+    energy*) pair= outputs=-DENERGY ;;
+    diffuse_sh_zonal*) pair=9 outputs=-DSH9 kernels=diffuse_zonal ;;
+    diffuse_sh*) pair=9 outputs=-DSH9 ;;
+    esac
     mv "$one.c" "$one.emitted.c"
     # shellcheck disable=SC2086
     $cc -std=gnu99 -ffp-contract=off -fno-math-errno -O2 -Wall -Wextra -Werror "-Dlobe_$name=emitted" -I. -c \
         "$one.emitted.c" -o "$one.o" >"$dir/log" 2>&1 &&
         $cc -std=gnu99 -ffp-contract=off -fno-math-errno -O2 $outputs "-DKERNEL=lobe_$name" -DEMITTED=emitted \
-            "-DHEADER=\"../../models/$model.h\"" cases/test/test_emit_bits.c "$one.o" -lm -o "$one.run" >"$dir/log" 2>&1 &&
+            "-DHEADER=\"../../models/$kernels.h\"" cases/test/test_emit_bits.c "$one.o" -lm -o "$one.run" >"$dir/log" 2>&1 &&
         "$one.run" >"$dir/log" 2>&1
     result $? "$name: emitted C has the bits of the kernel"
 
@@ -60,15 +66,21 @@ for header in models/coeffs/*_low.h models/coeffs/*_medium.h models/coeffs/*_hig
         skip "clang is missing" "$name: emitted OpenCL C compiles"
     fi
 
-    body="void main() { vec2 t = gl_FragCoord.xy; o = vec4(lobe_$name(t.x, t.y)${pair:+, 0.0, 0.0}); }"
+    nine='t.x, t.y, c[0], c[1], c[2], c[3], c[4], c[5], c[6], c[7], c[8]'
+    [ "$pair" != 9 ] || body="void main() { vec2 t = gl_FragCoord.xy; float c[9]; lobe_$name($nine);
+                     o = vec4(c[0], c[2], c[3], c[8]); }"
+    [ "$pair" = 9 ] || body="void main() { vec2 t = gl_FragCoord.xy; o = vec4(lobe_$name(t.x, t.y)${pair:+, 0.0, 0.0}); }"
     { echo '#version 450'; echo 'layout(location = 0) out vec4 o;'; cat "$one.glsl"; echo "$body"; } >"$one.frag"
     shader frag "-V" "$name: emitted GLSL compiles" "$one.frag"
     { echo '#version 320 es'; echo 'layout(location = 0) out highp vec4 o;'; cat "$one.es"
-      echo "$body" | sed 's/vec2 t/highp vec2 t/'; } >"$one.es.frag"
+      echo "$body" | sed 's/vec2 t/highp vec2 t/; s/float c\[9\]/highp float c[9]/'; } >"$one.es.frag"
     shader frag "-V" "$name: emitted GLSL ES compiles" "$one.es.frag"
-    { cat "$one.hlsl"
-      echo "float4 main(float2 t : TEXCOORD0) : SV_Target { return float4(lobe_$name(t.x, t.y)${pair:+, 0.0, 0.0}); }" |
-          if [ -n "$pair" ]; then cat; else sed 's/float4(lobe/(float4)(lobe/'; fi; } >"$one.frag.hlsl"
+    case $pair in
+    9) main="float c[9]; lobe_$name($nine); return float4(c[0], c[2], c[3], c[8]);" ;;
+    2) main="return float4(lobe_$name(t.x, t.y), 0.0, 0.0);" ;;
+    *) main="return (float4)(lobe_$name(t.x, t.y));" ;;
+    esac
+    { cat "$one.hlsl"; echo "float4 main(float2 t : TEXCOORD0) : SV_Target { $main }"; } >"$one.frag.hlsl"
     shader frag "-D -V -e main" "$name: emitted HLSL compiles" "$one.frag.hlsl"
 
     "$fpcore" "$model" "$tier" <"$one.fpcore" >"$dir/log" 2>&1

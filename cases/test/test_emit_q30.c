@@ -25,18 +25,12 @@ typedef struct tally {
 static void at(const row *f, int32_t r, int32_t v, tally *t)
 {
     const int32_t in[2] = {r, v};
-    int32_t got[2], simulated[2] = {0, 0};
-    double x[2], want[2];
+    int32_t got[9] = {0}, simulated[9] = {0};
+    double x[2], want[9];
     int i, n;
     for (i = 0; i < 2; i++)
         x[i] = (in[i] < 0 ? 0 : in[i] > 1 << 30 ? 1 << 30 : in[i]) / 1073741824.0;
-    if (f->pair) {
-        const lobe_dfg_q30 d = f->pair(r, v);
-        got[0] = d.scale;
-        got[1] = d.bias;
-    } else {
-        got[0] = f->one(r, v);
-    }
+    f->call(r, v, got);
     n = lobe_emit_value_q30(f->model, f->tier, in, simulated);
     if (n <= 0) {
         t->wide++;

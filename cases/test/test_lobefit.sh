@@ -62,7 +62,7 @@ row "0.5 0" "n_dot_v '0'" split_sum_kibl
 result $? "-h explains on standard output"
 
 "$lobefit" list > "$work/list"
-[ "$(cut -f1 "$work/list" | tr '\n' ' ')" = "split_sum split_sum_sep energy split_sum_kibl " ]
+[ "$(cut -f1 "$work/list" | tr '\n' ' ')" = "split_sum split_sum_sep energy diffuse_sh split_sum_kibl " ]
 result $? "list names the cases"
 
 printf '# head\n0.5 0.7\n\n  1 , 1 # tail\n.25,5e-1\r\n' | "$lobefit" truth split_sum > "$work/out"

@@ -41,6 +41,9 @@ for threads in 1 2; do
     done
     "$lobefit" fit split_sum --tier table32 --out "$work" --threads $threads
     same "split_sum table32, $threads threads" tables/split_sum_table32_f32.c tables/split_sum_table32_u16.c
+    "$lobefit" fit diffuse_sh --out "$work" --threads $threads
+    same "diffuse_sh, $threads threads" coeffs/diffuse_sh_exact.h coeffs/diffuse_sh_low.h coeffs/diffuse_sh_medium.h \
+        coeffs/diffuse_sh_zonal.h coeffs/diffuse_sh_zonal_low.h
     rm -rf "$work/coeffs" "$work/tables"
 done
 
@@ -49,6 +52,17 @@ for tier in low medium high; do
     "$lobefit" emit energy --tier $tier --to q30 >"$work/q30/energy_$tier.c"
 done
 same "energy, integer kernels" q30/energy_low.c q30/energy_medium.c q30/energy_high.c
+
+for tier in exact medium low zonal zonal_low; do
+    "$lobefit" emit diffuse_sh --tier $tier --to q30 >"$work/q30/diffuse_sh_$tier.c"
+done
+same "diffuse_sh, integer kernels" q30/diffuse_sh_exact.c q30/diffuse_sh_medium.c q30/diffuse_sh_low.c \
+    q30/diffuse_sh_zonal.c q30/diffuse_sh_zonal_low.c
+"$lobefit" bounds diffuse_sh --out "$work"
+same "diffuse_sh, bounds" coeffs/diffuse_sh_bounds.h
+"$lobefit" vectors diffuse_sh --out "$work/vectors" && status=0 || status=1
+for file in vectors/diffuse_sh.*.vec; do cmp "$file" "$work/$file" || status=1; done
+result $status "diffuse_sh, vectors"
 
 refused "fit of an unknown tier" "no fit of tier 'tiny'; there are: low" fit energy --tier tiny
 refused "fit with an unknown option" "unknown option '--fast'" fit energy --fast

@@ -29,7 +29,7 @@ do for [panel=1:4] {
                 panel == 2 ? "x86-64 instructions (callgrind, gcc -O2, no fused multiply-add)" : \
                 panel == 3 ? "Cortex-M4F instructions (icount), not cycles" : \
                              "Cortex-M0 instructions (icount), not cycles: published formulas in soft float") offset 0,0.3
-    lo = 0.0 + word(brdf eq "energy" ? "2 30 40 1500" : "11 45 50 250", panel)
+    lo = 0.0 + word(brdf eq "energy" ? "2 30 40 300" : "11 45 50 250", panel)
     hi = 0.0 + word(brdf eq "energy" ? "140 400 500 30000" : "120 450 600 30000", panel)
     set xrange [lo:hi]
     set yrange [brdf eq "energy" ? 2e-5 : 5e-5 : 6]
@@ -48,7 +48,7 @@ do for [panel=1:4] {
              table using 1:2:4 with labels left offset 0.8,-0.3 font ",8" tc rgb "#505050" notitle, \
              tier using 1:2 with linespoints pt 7 ps 1.4 lw 2 lc rgb "#1060b0" title "Lobe, float", \
              tier using 1:2:3 with labels left offset 0.9,0.4 font ",10" tc rgb "#1060b0" notitle
-    } else { if (panel < 4 || brdf eq "energy") {
+    } else { if (panel < 4) {
         plot other using 1:2 with points pt 3 ps 1.2 lc rgb "#b08a8a" title "published, for another BRDF", \
              other using 1:2:3 with labels left offset 0.7,0.35 font ",8" tc rgb "#806060" notitle, \
              own using 1:2 with points pt 3 ps 1.6 lw 2 lc rgb "#c02020" title "published, for this BRDF", \

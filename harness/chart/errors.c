@@ -185,30 +185,44 @@ static float inverse_alpha2(float r, float v)
 }
 static float inverse_kulla_conty(float r, float v) { return 1.0f / peer_kulla_conty(r, v); }
 
+typedef int32_t inverse_q29_function(int32_t, int32_t);
+
 static void energy(void)
 {
     static const struct {
         const char *name, *title, *kind;
         int ops;
         inverse_function *f;
+        inverse_q29_function *q; /* NULL: float only */
     } inverses[] = {
-        {"low", "low", "tier", LOBE_ENERGY_LOW_INVERSE_OPS, lobe_energy_inverse_low_f32},
-        {"medium", "medium", "tier", LOBE_ENERGY_MEDIUM_INVERSE_OPS, lobe_energy_inverse_medium_f32},
-        {"high", "high", "tier", LOBE_ENERGY_HIGH_INVERSE_OPS, lobe_energy_inverse_high_f32},
-        {"none", "no compensation", "star", 0, inverse_none},
-        {"alpha2", "1 + a^2", "star", 3, inverse_alpha2},
-        {"alpha2_view", "1 + 2 a^2 v", "star", 4, inverse_alpha2_view},
-        {"kulla_conty", "Kulla-Conty", "star", 38, inverse_kulla_conty},
+        {"low", "low", "tier", LOBE_ENERGY_LOW_INVERSE_OPS, lobe_energy_inverse_low_f32, lobe_energy_inverse_low_q29},
+        {"medium", "medium", "tier", LOBE_ENERGY_MEDIUM_INVERSE_OPS, lobe_energy_inverse_medium_f32,
+         lobe_energy_inverse_medium_q29},
+        {"high", "high", "tier", LOBE_ENERGY_HIGH_INVERSE_OPS, lobe_energy_inverse_high_f32,
+         lobe_energy_inverse_high_q29},
+        {"none", "no compensation", "star", 0, inverse_none, NULL},
+        {"alpha2", "1 + a^2", "star", 3, inverse_alpha2, NULL},
+        {"alpha2_view", "1 + 2 a^2 v", "star", 4, inverse_alpha2_view, NULL},
+        {"kulla_conty", "Kulla-Conty", "star", 38, inverse_kulla_conty, NULL},
     };
     const rows r = read_rows(1);
     size_t i, k;
+    int format;
     for (k = 0; k < sizeof inverses / sizeof inverses[0]; k++) {
-        const subject of = {"energy", inverses[k].name,  "f32",           inverses[k].kind,
-                            "energy", inverses[k].title, inverses[k].ops, 0};
-        sums s = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
-        for (i = 0; i < r.n; i++)
-            add(&s, 2, (double)inverses[k].f(r.in[2 * i], r.in[2 * i + 1]) * r.truth[2 * i] - 1.0);
-        print(&of, &s, r.n);
+        for (format = 0; format <= (inverses[k].q != NULL); format++) {
+            const subject of = {"energy", inverses[k].name,  lobe_format_names[format], inverses[k].kind,
+                                "energy", inverses[k].title, inverses[k].ops,           0};
+            sums s = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+            for (i = 0; i < r.n; i++) {
+                const float x = r.in[2 * i], y = r.in[2 * i + 1];
+                const double f = format == LOBE_F32 ? (double)inverses[k].f(x, y)
+                                                    : inverses[k].q(lobe_value_nearest(LOBE_Q30, (double)x).q,
+                                                                    lobe_value_nearest(LOBE_Q30, (double)y).q) /
+                                                          536870912.0;
+                add(&s, 2, f * r.truth[2 * i] - 1.0);
+            }
+            print(&of, &s, r.n);
+        }
     }
     free(r.in);
     free(r.truth);

@@ -12,8 +12,8 @@ file < 4 {
     next
 }
 {
-    # the furnace is of 1/E
-    model = $4 == "star" ? "peer" : $1 == "energy" ? "energy_inverse" : $1
+    # the furnace is of 1/E; in fixed point only E is counted, one reciprocal less
+    model = $4 == "star" ? "peer" : $1 == "energy" && $3 == "f32" ? "energy_inverse" : $1
     line = $0
     for (i = 1; i <= 3; i++)
         line = line OFS ((i, model, $2, $3) in count ? count[i, model, $2, $3] : "")

@@ -9,8 +9,11 @@
 #include "counter.h"
 
 #if defined(LOBE_PEERS)
+#include "../peers/diffuse.h"
 #include "../peers/energy.h"
 #include "../peers/split_sum.h"
+#include "../../models/diffuse_sh_radiance.h"
+#include "../../models/f32/sh9_entry.h"
 #define PEER_DFG(name)                                                                                                 \
     lobe_dfg_f32 peer_##name##_f32(float roughness, float n_dot_v);                                                    \
     lobe_dfg_f32 peer_##name##_f32(float roughness, float n_dot_v)                                                     \
@@ -24,58 +27,87 @@
 #define PEER_ENERGY(name)                                                                                              \
     float peer_##name##_f32(float roughness, float n_dot_v);                                                           \
     float peer_##name##_f32(float roughness, float n_dot_v) { return peer_##name(roughness, n_dot_v); }
+#define PEER_SH9(name)                                                                                                 \
+    lobe_sh9_f32 peer_##name##_f32(float roughness, float n_dot_v);                                                    \
+    lobe_sh9_f32 peer_##name##_f32(float roughness, float n_dot_v)                                                     \
+    {                                                                                                                  \
+        return lobe_sh9_out(peer_##name(roughness, n_dot_v));                                                          \
+    }
 #include "peer_rows.h"
 #undef PEER_DFG
 #undef PEER_ENERGY
+#undef PEER_SH9
+
+/* World space to RGB, as lobe_diffuse_sh_radiance_low_f32 does it. */
+lobe_vec3_f32 peer_zonal_2015_radiance_f32(float roughness, lobe_vec3_f32 normal, lobe_vec3_f32 view,
+                                           const lobe_lighting_f32 *lighting);
+lobe_vec3_f32 peer_zonal_2015_radiance_f32(float roughness, lobe_vec3_f32 normal, lobe_vec3_f32 view,
+                                           const lobe_lighting_f32 *lighting)
+{
+    const lobe_vec3 n = lobe_diffuse_sh_direction(lobe_vec3_of(normal.x, normal.y, normal.z));
+    const lobe_vec3 w = lobe_diffuse_sh_direction(lobe_vec3_of(view.x, view.y, view.z));
+    const float v = lobe_saturate(lobe_vec3_dot(n, w));
+    const lobe_vec3 rgb = lobe_diffuse_sh_light(peer_zonal_2015_turned(roughness, n, w, v), lobe_sh9_in(&lighting->red),
+                                                lobe_sh9_in(&lighting->green), lobe_sh9_in(&lighting->blue));
+    lobe_vec3_f32 out;
+    out.x = rgb.x;
+    out.y = rgb.y;
+    out.z = rgb.z;
+    return out;
+}
 #endif
 
 enum { SIDE = 16, EVALUATIONS = SIDE * SIDE };
 
 /* One loop for each type of function; the calls cannot be inlined, since the pointer is volatile. */
+typedef void any_function(void);
 typedef lobe_dfg_f32 dfg_f32(float, float);
 typedef lobe_dfg_q30 dfg_q30(int32_t, int32_t);
 typedef float energy_f32(float, float);
 typedef int32_t energy_q30(int32_t, int32_t);
+typedef lobe_sh9_f32 sh9_f32(float, float);
+typedef lobe_sh9_q30 sh9_q30(int32_t, int32_t);
+typedef lobe_vec3_f32 radiance_f32(float, lobe_vec3_f32, lobe_vec3_f32, const lobe_lighting_f32 *);
+typedef lobe_vec3_q16 radiance_q30(int32_t, lobe_vec3_q30, lobe_vec3_q30, const lobe_lighting_q16 *);
 
 typedef struct function {
     const char *model, *tier;
     lobe_format format;
-    dfg_f32 *as_dfg_f32;
-    dfg_q30 *as_dfg_q30;
-    energy_f32 *as_energy_f32;
-    energy_q30 *as_energy_q30;
+    uint32_t (*loop)(any_function *);
+    any_function *called;
 } function;
 
 static lobe_value roughness[EVALUATIONS], n_dot_v[EVALUATIONS];
+static lobe_lighting_f32 lighting_f32;
+static lobe_lighting_q16 lighting_q30;
 
-#define LOOP(type, field, result)                                                                                      \
-    static uint32_t loop_##type(type *f)                                                                               \
+#define LOOP(type, result, call)                                                                                       \
+    static uint32_t loop_##type(any_function *f)                                                                       \
     {                                                                                                                  \
-        type *volatile pointer = f;                                                                                    \
+        type *volatile pointer = (type *)f;                                                                            \
         type *const called = pointer;                                                                                  \
         volatile result sink;                                                                                          \
         int i;                                                                                                         \
         lobe_count_from_here();                                                                                        \
         for (i = 0; i < EVALUATIONS; i++)                                                                              \
-            sink = called(roughness[i].field, n_dot_v[i].field);                                                       \
+            sink = call;                                                                                               \
         (void)sink;                                                                                                    \
         return lobe_counted();                                                                                         \
     }
-LOOP(dfg_f32, f, lobe_dfg_f32)
-LOOP(dfg_q30, q, lobe_dfg_q30)
-LOOP(energy_f32, f, float)
-LOOP(energy_q30, q, int32_t)
-
-static uint32_t loop(const function *f)
-{
-    if (f->as_dfg_f32)
-        return loop_dfg_f32(f->as_dfg_f32);
-    if (f->as_dfg_q30)
-        return loop_dfg_q30(f->as_dfg_q30);
-    if (f->as_energy_f32)
-        return loop_energy_f32(f->as_energy_f32);
-    return loop_energy_q30(f->as_energy_q30);
-}
+#define AT(field) called(roughness[i].field, n_dot_v[i].field)
+LOOP(dfg_f32, lobe_dfg_f32, AT(f))
+LOOP(dfg_q30, lobe_dfg_q30, AT(q))
+LOOP(energy_f32, float, AT(f))
+LOOP(energy_q30, int32_t, AT(q))
+LOOP(sh9_f32, float, AT(f).c[8])
+LOOP(sh9_q30, int32_t, AT(q).c[8])
+/* The view leans in the plane of x, whose length does not matter to the count. */
+#define RADIANCE(field, one, format)                                                                                   \
+    called(roughness[i].field, (lobe_vec3_##format){0, 0, one}, (lobe_vec3_##format){one / 2, 0, n_dot_v[i].field},    \
+           &lighting_##format)                                                                                         \
+        .x
+LOOP(radiance_f32, float, RADIANCE(f, 1.0f, f32))
+LOOP(radiance_q30, int32_t, RADIANCE(q, LOBE_ONE_Q30, q30))
 
 /* Returns at once, whatever it is called as. One instruction; with its call two. */
 void nothing(void);
@@ -86,30 +118,40 @@ __attribute__((noinline)) void nothing(void) { __asm__ volatile(""); }
 #endif
 enum { CALL_AND_RETURN = 2 };
 
-#define DFG_F32(model, tier, bounds) {#model, #tier, LOBE_F32, lobe_##model##_##tier##_f32, 0, 0, 0},
-#define DFG_Q30(model, tier, bounds) {#model, #tier, LOBE_Q30, 0, lobe_##model##_##tier##_q30, 0, 0},
+#define FUNCTION(model, tier, FORMAT, type, f) {model, #tier, LOBE_##FORMAT, loop_##type, (any_function *)f},
+#define DFG_F32(model, tier, bounds) FUNCTION(#model, tier, F32, dfg_f32, lobe_##model##_##tier##_f32)
+#define DFG_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, dfg_q30, lobe_##model##_##tier##_q30)
 #define DFG_Q30_SCALAR(model, tier, bounds) DFG_Q30(model, tier, bounds)
 #define ENERGY_F32(model, tier, bounds)                                                                                \
-    {#model, #tier, LOBE_F32, 0, 0, lobe_##model##_##tier##_f32, 0},                                                   \
-        {#model "_inverse", #tier, LOBE_F32, 0, 0, lobe_##model##_inverse_##tier##_f32, 0},
-#define ENERGY_Q30(model, tier, bounds) {#model, #tier, LOBE_Q30, 0, 0, 0, lobe_##model##_##tier##_q30},
-#define PEER_DFG(name) {"peer", #name, LOBE_F32, peer_##name##_f32, 0, 0, 0},
-#define PEER_ENERGY(name) {"peer", #name, LOBE_F32, 0, 0, peer_##name##_f32, 0},
+    FUNCTION(#model, tier, F32, energy_f32, lobe_##model##_##tier##_f32)                                               \
+    FUNCTION(#model "_inverse", tier, F32, energy_f32, lobe_##model##_inverse_##tier##_f32)
+#define ENERGY_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, energy_q30, lobe_##model##_##tier##_q30)
+#define SH9_F32(model, tier, bounds) FUNCTION(#model, tier, F32, sh9_f32, lobe_##model##_##tier##_f32)
+#define SH9_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, sh9_q30, lobe_##model##_##tier##_q30)
+#define SH9_CONSTANT_F32(model, tier, bounds) SH9_F32(model, tier, bounds)
+#define SH9_CONSTANT_Q30(model, tier, bounds) SH9_Q30(model, tier, bounds)
+#define SH9_RADIANCE(tier)                                                                                             \
+    FUNCTION("diffuse_sh_radiance", tier, F32, radiance_f32, lobe_diffuse_sh_radiance_##tier##_f32)                    \
+    FUNCTION("diffuse_sh_radiance", tier, Q30, radiance_q30, lobe_diffuse_sh_radiance_##tier##_q30)
+#define PEER_DFG(name) FUNCTION("peer", name, F32, dfg_f32, peer_##name##_f32)
+#define PEER_ENERGY(name) FUNCTION("peer", name, F32, energy_f32, peer_##name##_f32)
+#define PEER_SH9(name) FUNCTION("peer", name, F32, sh9_f32, peer_##name##_f32)
 static const function functions[] = {
 #include "../registry_rows.h"
+    SH9_RADIANCE(exact) SH9_RADIANCE(medium) SH9_RADIANCE(low)
 #if defined(LOBE_PEERS)
 #include "peer_rows.h"
+        FUNCTION("peer", zonal_2015_radiance, F32, radiance_f32, peer_zonal_2015_radiance_f32)
 #endif
 };
 
 static uint32_t instructions(const function *f)
 {
-    function baseline = *f;
-    baseline.as_dfg_f32 = f->as_dfg_f32 ? (dfg_f32 *)nothing : 0;
-    baseline.as_dfg_q30 = f->as_dfg_q30 ? (dfg_q30 *)nothing : 0;
-    baseline.as_energy_f32 = f->as_energy_f32 ? (energy_f32 *)nothing : 0;
-    baseline.as_energy_q30 = f->as_energy_q30 ? (energy_q30 *)nothing : 0;
-    return (loop(f) - loop(&baseline) + EVALUATIONS / 2) / EVALUATIONS + CALL_AND_RETURN;
+#if defined(__arm__)
+    return (f->loop(f->called) - f->loop(nothing) + EVALUATIONS / 2) / EVALUATIONS + CALL_AND_RETURN;
+#else
+    return f->loop(f->called);
+#endif
 }
 
 static void print_count(uint32_t n)
@@ -139,7 +181,7 @@ __attribute__((naked, noinline)) void known(void) { __asm__(".rept 30\n nop\n .e
 
 static int counter_works(void)
 {
-    static const function f = {"known", "known", LOBE_Q30, 0, 0, 0, (energy_q30 *)known};
+    static const function f = {"known", "known", LOBE_Q30, loop_energy_q30, known};
     return instructions(&f) == 32;
 }
 #else

@@ -84,6 +84,7 @@ $(PORT)/peer_rows.h: $(PEER_HDR)
 	@mkdir -p $(@D)
 	@sed -n -e 's/^LOBE_FN lobe_dfg peer_\([a-z0-9_]*\)(lobe_real r, lobe_real v)$$/PEER_DFG(\1)/p' \
 	    -e 's/^LOBE_FN lobe_real peer_\([a-z0-9_]*\)(lobe_real r, lobe_real v)$$/PEER_ENERGY(\1)/p' \
+	    -e 's/^LOBE_FN lobe_sh9 peer_\([a-z0-9_]*\)(lobe_real r, lobe_real v)$$/PEER_SH9(\1)/p' \
 	    $(PEER_HDR) >$@
 
 COUNT_ARGS = $(EXACT) $(PORT_WARN) -I$(PORT) $(if $(PEER_HDR),-DLOBE_PEERS) $(COUNT_SRC)

@@ -12,8 +12,11 @@ points() { awk 'BEGIN { for (i = 1; i <= 16; i++) for (j = 1; j <= 16; j++) prin
 answers() {
     points >"$work/points"
     "$lobecheck" eval "$1" --tier "$2" --format "$3" <"$work/points" >"$work/answers"
-    names='scale bias'
-    [ "$1" != energy ] || names=E
+    case $1 in
+    energy) names=E ;;
+    diffuse_sh) names='c0 c1 c2 c3 c4 c5 c6 c7 c8' ;;
+    *) names='scale bias' ;;
+    esac
     paste -d' ' "$work/points" "$work/answers" |
         awk -v shift="${shift:-0}" '{ $3 = sprintf("%.9g", $3 + shift); print }' |
         seal "$1" "$2" "$3" "$bound" 'roughness n_dot_v' "$names"

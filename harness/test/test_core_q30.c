@@ -5,6 +5,7 @@
 #include <setjmp.h>
 #include <cmocka.h>
 #include "../../core/q30_log2.h"
+#include "../../core/q30_sqrt.h"
 #include <math.h>
 
 static uint64_t random_state = 1;
@@ -158,12 +159,41 @@ static void log2_stays_in_bound(void **state)
     assert_int_equal(lobe_q_log2(INT32_MIN), 0);
 }
 
+/* Every number up to 2^18, where the root is steepest, powers of two and their neighbours, and 2 million others. */
+static void check_root(int32_t x)
+{
+    const double want = sqrt(x * 1073741824.0), got = lobe_q_sqrt(x);
+    if (!(fabs(got - want) <= 3.0))
+        fail_msg("root of %08x: got %.0f, want %.3f", (unsigned)x, got, want);
+}
+
+static void root_stays_in_bound(void **state)
+{
+    int32_t x;
+    int i;
+    (void)state;
+    for (x = 0; x <= 1 << 18; x++)
+        check_root(x);
+    for (i = 2; i <= 30; i++) {
+        check_root((1 << i) - 1);
+        check_root(1 << i);
+        check_root(i < 30 ? (1 << i) + 1 : 3 << 28);
+    }
+    for (i = 0; i < 2000000; i++)
+        check_root((int32_t)(random_bits() >> 2 >> random_bits() % 24));
+    assert_int_equal(lobe_q_sqrt(0), 0);
+    assert_int_equal(lobe_q_sqrt(-1), 0);
+    assert_int_equal(lobe_q_sqrt(INT32_MIN), 0);
+    assert_int_equal(lobe_q_sqrt(INT32_MAX), lobe_q_sqrt(LOBE_Q30_ONE));
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
         cmocka_unit_test(multiply_rounds_to_nearest), cmocka_unit_test(shift_rounds_to_nearest),
         cmocka_unit_test(saturation_holds_the_ends),  cmocka_unit_test(reciprocal_is_exact),
         cmocka_unit_test(quotients_stay_in_bound),    cmocka_unit_test(log2_stays_in_bound),
+        cmocka_unit_test(root_stays_in_bound),
     };
     return cmocka_run_group_tests_name("fixed point", tests, NULL, NULL);
 }

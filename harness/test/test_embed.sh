@@ -10,7 +10,7 @@ printf '0.5 0.5\n1 0.25\n0.125 1\n' >"$work/in"
 "$B/lobecheck" eval split_sum --tier low --format f32 <"$work/in" | paste -d' ' "$work/in" - |
     seal split_sum low f32 0.01 'roughness n_dot_v' 'scale bias' >"$work/good.vec"
 "$B/lobecheck" eval split_sum --tier low --format f32 <"$work/in" | paste -d' ' "$work/in" - |
-    awk 'NR == 2 { $4 += 0.5 } { print }' |
+    awk 'NR == 2 { $4 = sprintf("%.9g", $4 + 0.5) } { print }' |
     seal split_sum low f32 1 'roughness n_dot_v' 'scale bias' >"$work/moved.vec"
 "$B/lobecheck" hash --write --file "$work/hashes.txt"
 sed '$s/[0-9a-f]*$/0123456789abcdef/' "$work/hashes.txt" >"$work/wrong.txt"

@@ -10,8 +10,8 @@ no_undefined() {
 no_memory() { size "$lib" | awk 'NR > 1 && ($2 || $3) { print; bad = 1 } END { exit bad || NR < 2 }'; }
 only_lobe_names() { ! $NM -g --defined-only "$lib" | awk 'NF == 3 { print $3 }' | grep -v '^lobe_'; }
 one_object_a_tier() { # no object defines functions of two tiers; helpers, a few hundred bytes, may share one
-    $NM -g --defined-only "$lib" | awk '/:$/ { object = $0 } NF == 3 && $2 == "T" && $3 ~ /_(low|medium|high|table[0-9]+)_/ {
-        n = $3; sub(/_(n_)?(f32|q30|q29)$/, "", n); if (object in first && first[object] != n) { print object, n; bad = 1 }
+    $NM -g --defined-only "$lib" | awk '/:$/ { object = $0 } NF == 3 && $2 == "T" && $3 ~ /_(low|medium|high|exact|zonal|lambert|table[0-9]+)_/ {
+        n = $3; sub(/_(n_)?(f32|q30|q29)$/, "", n); sub(/^lobe_diffuse_(sh_|shape_)?/, "lobe_diffuse_", n); if (object in first && first[object] != n) { print object, n; bad = 1 }
         first[object] = n } END { exit bad }'
 }
 check 'no undefined symbol' no_undefined
@@ -49,7 +49,7 @@ fast_build() {
     for source in models/f32/*.c models/q30/*.c models/tables/*.c; do
         [ ! -e "$source" ] || $CC -std=gnu99 -Ofast -c "$source" -o "$fast/$(echo "$source" | tr / _).o" || return 1
     done
-    for source in lobecheck run eval hash_check bench hash_file vec_file rows conform_core hash registry; do
+    for source in lobecheck run eval hash_check bench bench_table hash_file vec_file rows conform_core hash registry; do
         set -- "$@" "$B/harness/$source.o"
     done
     $CC "$@" "$fast"/*.o -lm -o "$fast/lobecheck"

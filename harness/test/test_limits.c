@@ -1,8 +1,11 @@
 /* What is known without any integral: limits of the split sum, and the shape of its bias. The tolerances are
- * the stated bounds, so these tests sharpen with the models. */
+ * the stated bounds, so these tests sharpen with the models. Those of diffuse_sh are in test_diffuse_sh.c. */
 #include "../registry.h"
 #include "cmocka_first.h"
 #include <math.h>
+
+/* GGX's models: their outputs add up to E. */
+static int is_ggx(const lobe_entry *e) { return e->sums || e->outputs == 1; }
 
 static void evaluate(const lobe_entry *e, double roughness, double n_dot_v, double *out)
 {
@@ -34,7 +37,7 @@ static void rough_and_normal(void **state)
     for (i = 0; i < lobe_entry_count; i++) {
         const lobe_entry *e = &lobe_entries[i];
         const double got = albedo(e, 1.0, 1.0), want = 1.0 - log(2.0);
-        if (!(fabs(got - want) <= e->max))
+        if (is_ggx(e) && !(fabs(got - want) <= e->max))
             fail_msg("%s: E(1, 1) = %.9g, not %.9g within %g", e->kernel, got, want, e->max);
     }
 }
@@ -47,7 +50,7 @@ static void mirror(void **state)
     (void)state;
     for (i = 0; i < lobe_entry_count; i++) {
         const lobe_entry *e = &lobe_entries[i];
-        for (b = 1; b <= 64; b++) {
+        for (b = 1; is_ggx(e) && b <= 64; b++) {
             const double v = b / 64.0, roughness = 1.0 / 512;
             double out[LOBE_MAX_OUTPUTS];
             if (!(fabs(albedo(e, roughness, v) - 1.0) <= e->below_max + 1e-3))

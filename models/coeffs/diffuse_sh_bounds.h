@@ -1,0 +1,101 @@
+/* Generated, not edited: build/lobefit bounds diffuse_sh
+ * What ships, measured against the closed form in double (Burley 2012, F90 = .5 + 2 roughness (l.h)^2, base colour 1),
+ * which is within 2e-14 of the truth. MAX over the nine coefficients, on [0, 1]: a grid of 1025 x 1025, 2^23
+ * random points, and a walk uphill from the maximum; RMS over the nine and the grid. LIGHT and FURNACE: see
+ * cases/diffuse_sh/metric.h. Witnesses are roughness and n_dot_v. Macros are rounded up. */
+#define LOBE_DIFFUSE_SH_EXACT_OPS 47
+#define LOBE_DIFFUSE_SH_EXACT_DOMAIN_LO 0
+/* exact, f32: max 1.115604e-07 in c2 at 0.966399848 0.000147914121, rms 7.344323e-09;
+ *   light rms 4.6817e-08, at the worst point 1.0814e-07; furnace rms 4.9612e-08, max 1.3836e-07 */
+#define LOBE_DIFFUSE_SH_EXACT_F32_MAX 1.12e-07
+#define LOBE_DIFFUSE_SH_EXACT_F32_RMS 7.35e-09
+#define LOBE_DIFFUSE_SH_EXACT_F32_LIGHT 4.69e-08
+#define LOBE_DIFFUSE_SH_EXACT_F32_FURNACE_RMS 4.97e-08
+#define LOBE_DIFFUSE_SH_EXACT_F32_FURNACE_MAX 1.39e-07
+/* exact, q30: max 1.864273e-09 in c2 at 0.984900023 0.00377721153, rms 3.515021e-10;
+ *   light rms 2.2045e-09, at the worst point 4.6754e-09; furnace rms 1.9133e-09, max 5.0071e-09 */
+#define LOBE_DIFFUSE_SH_EXACT_Q30_MAX 1.87e-09
+#define LOBE_DIFFUSE_SH_EXACT_Q30_RMS 3.52e-10
+#define LOBE_DIFFUSE_SH_EXACT_Q30_LIGHT 2.21e-09
+#define LOBE_DIFFUSE_SH_EXACT_Q30_FURNACE_RMS 1.92e-09
+#define LOBE_DIFFUSE_SH_EXACT_Q30_FURNACE_MAX 5.01e-09
+#define LOBE_DIFFUSE_SH_MEDIUM_OPS 27
+#define LOBE_DIFFUSE_SH_MEDIUM_DOMAIN_LO 0
+/* medium, f32: max 5.517921e-03 in c8 at 1 0, rms 3.465065e-04;
+ *   light rms 2.4357e-03, at the worst point 1.0699e-02; furnace rms 9.1088e-04, max 3.4663e-03 */
+#define LOBE_DIFFUSE_SH_MEDIUM_F32_MAX 0.00552
+#define LOBE_DIFFUSE_SH_MEDIUM_F32_RMS 0.000347
+#define LOBE_DIFFUSE_SH_MEDIUM_F32_LIGHT 0.00244
+#define LOBE_DIFFUSE_SH_MEDIUM_F32_FURNACE_RMS 0.000911
+#define LOBE_DIFFUSE_SH_MEDIUM_F32_FURNACE_MAX 0.00347
+/* medium, q30: max 5.517921e-03 in c8 at 1 0, rms 3.465065e-04;
+ *   light rms 2.4357e-03, at the worst point 1.0699e-02; furnace rms 9.1088e-04, max 3.4663e-03 */
+#define LOBE_DIFFUSE_SH_MEDIUM_Q30_MAX 0.00552
+#define LOBE_DIFFUSE_SH_MEDIUM_Q30_RMS 0.000347
+#define LOBE_DIFFUSE_SH_MEDIUM_Q30_LIGHT 0.00244
+#define LOBE_DIFFUSE_SH_MEDIUM_Q30_FURNACE_RMS 0.000911
+#define LOBE_DIFFUSE_SH_MEDIUM_Q30_FURNACE_MAX 0.00347
+#define LOBE_DIFFUSE_SH_LOW_OPS 20
+#define LOBE_DIFFUSE_SH_LOW_DOMAIN_LO 0
+/* low, f32: max 1.903275e-02 in c2 at 0.999999046 0, rms 1.607902e-03;
+ *   light rms 1.1175e-02, at the worst point 3.3788e-02; furnace rms 7.9513e-03, max 2.6797e-02 */
+#define LOBE_DIFFUSE_SH_LOW_F32_MAX 0.0191
+#define LOBE_DIFFUSE_SH_LOW_F32_RMS 0.00161
+#define LOBE_DIFFUSE_SH_LOW_F32_LIGHT 0.0112
+#define LOBE_DIFFUSE_SH_LOW_F32_FURNACE_RMS 0.00796
+#define LOBE_DIFFUSE_SH_LOW_F32_FURNACE_MAX 0.0268
+/* low, q30: max 1.903274e-02 in c2 at 1 0, rms 1.607902e-03;
+ *   light rms 1.1175e-02, at the worst point 3.3788e-02; furnace rms 7.9513e-03, max 2.6797e-02 */
+#define LOBE_DIFFUSE_SH_LOW_Q30_MAX 0.0191
+#define LOBE_DIFFUSE_SH_LOW_Q30_RMS 0.00161
+#define LOBE_DIFFUSE_SH_LOW_Q30_LIGHT 0.0112
+#define LOBE_DIFFUSE_SH_LOW_Q30_FURNACE_RMS 0.00796
+#define LOBE_DIFFUSE_SH_LOW_Q30_FURNACE_MAX 0.0268
+#define LOBE_DIFFUSE_SH_ZONAL_OPS 48
+#define LOBE_DIFFUSE_SH_ZONAL_DOMAIN_LO 0
+/* zonal, f32: max 2.133985e-02 in c3 at 0.883113563 1.30469635e-08, rms 1.831474e-03;
+ *   light rms 1.2919e-02, at the worst point 4.6443e-02; furnace rms 2.0607e-03, max 1.6430e-02 */
+#define LOBE_DIFFUSE_SH_ZONAL_F32_MAX 0.0214
+#define LOBE_DIFFUSE_SH_ZONAL_F32_RMS 0.00184
+#define LOBE_DIFFUSE_SH_ZONAL_F32_LIGHT 0.013
+#define LOBE_DIFFUSE_SH_ZONAL_F32_FURNACE_RMS 0.00207
+#define LOBE_DIFFUSE_SH_ZONAL_F32_FURNACE_MAX 0.0165
+/* zonal, q30: max 2.133981e-02 in c3 at 0.883322068 0, rms 1.831474e-03;
+ *   light rms 1.2919e-02, at the worst point 4.6443e-02; furnace rms 2.0607e-03, max 1.6430e-02 */
+#define LOBE_DIFFUSE_SH_ZONAL_Q30_MAX 0.0214
+#define LOBE_DIFFUSE_SH_ZONAL_Q30_RMS 0.00184
+#define LOBE_DIFFUSE_SH_ZONAL_Q30_LIGHT 0.013
+#define LOBE_DIFFUSE_SH_ZONAL_Q30_FURNACE_RMS 0.00207
+#define LOBE_DIFFUSE_SH_ZONAL_Q30_FURNACE_MAX 0.0165
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_OPS 42
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_DOMAIN_LO 0
+/* zonal_low, f32: max 6.421695e-02 in c3 at 1 0, rms 3.281664e-03;
+ *   light rms 2.3260e-02, at the worst point 1.0765e-01; furnace rms 1.0096e-02, max 3.8888e-02 */
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_F32_MAX 0.0643
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_F32_RMS 0.00329
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_F32_LIGHT 0.0233
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_F32_FURNACE_RMS 0.0101
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_F32_FURNACE_MAX 0.0389
+/* zonal_low, q30: max 6.421698e-02 in c3 at 1 0, rms 3.281664e-03;
+ *   light rms 2.3260e-02, at the worst point 1.0765e-01; furnace rms 1.0096e-02, max 3.8888e-02 */
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_Q30_MAX 0.0643
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_Q30_RMS 0.00329
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_Q30_LIGHT 0.0233
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_Q30_FURNACE_RMS 0.0101
+#define LOBE_DIFFUSE_SH_ZONAL_LOW_Q30_FURNACE_MAX 0.0389
+#define LOBE_DIFFUSE_SH_LAMBERT_OPS 0
+#define LOBE_DIFFUSE_SH_LAMBERT_DOMAIN_LO 0
+/* lambert, f32: max 1.697506e-01 in c2 at 1 0, rms 1.967250e-02;
+ *   light rms 1.3594e-01, at the worst point 1.0187e+00; furnace rms 1.2538e-01, max 1.0488e+00 */
+#define LOBE_DIFFUSE_SH_LAMBERT_F32_MAX 0.17
+#define LOBE_DIFFUSE_SH_LAMBERT_F32_RMS 0.0197
+#define LOBE_DIFFUSE_SH_LAMBERT_F32_LIGHT 0.136
+#define LOBE_DIFFUSE_SH_LAMBERT_F32_FURNACE_RMS 0.126
+#define LOBE_DIFFUSE_SH_LAMBERT_F32_FURNACE_MAX 1.05
+/* lambert, q30: max 1.697506e-01 in c2 at 1 0, rms 1.967250e-02;
+ *   light rms 1.3594e-01, at the worst point 1.0187e+00; furnace rms 1.2538e-01, max 1.0488e+00 */
+#define LOBE_DIFFUSE_SH_LAMBERT_Q30_MAX 0.17
+#define LOBE_DIFFUSE_SH_LAMBERT_Q30_RMS 0.0197
+#define LOBE_DIFFUSE_SH_LAMBERT_Q30_LIGHT 0.136
+#define LOBE_DIFFUSE_SH_LAMBERT_Q30_FURNACE_RMS 0.126
+#define LOBE_DIFFUSE_SH_LAMBERT_Q30_FURNACE_MAX 1.05

@@ -1,0 +1,44 @@
+/* Generated, not edited: build/lobefit fit diffuse_sh --tier exact
+ * The constants of lobe_diffuse_shape_exact, without a fit: each is the rational number at its right times the
+ * constant of its basis polynomial (cases/diffuse_sh/README.md). */
+#ifndef LOBE_COEFFS_DIFFUSE_SH_EXACT_H
+#define LOBE_COEFFS_DIFFUSE_SH_EXACT_H
+
+#define LOBE_DIFFUSE_SH_A0 LOBE_R(0.27537824911259533) /* 41/84 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_A1 LOBE_R(0.013433085322565626) /* 1/42 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_A2 LOBE_R(0.0033582713306414065) /* 1/168 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_B0 LOBE_R(-0.13768912455629767) /* -41/168 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_B1 LOBE_R(0.26866170645131252) /* 10/21 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_B2 LOBE_R(0.019589916095408204) /* 5/144 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_B3 LOBE_R(0.18470492318527736) /* 55/168 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_B4 LOBE_R(0.0067165426612828129) /* 1/84 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_B5 LOBE_R(-0.0050374069959621097) /* -1/112 / sqrt(pi) */
+#define LOBE_DIFFUSE_SH_D0 LOBE_R(0.32282665965014352) /* 37/112 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_D1 LOBE_R(0.0058166965702728562) /* 1/168 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_D2 LOBE_R(0.0019388988567576187) /* 1/504 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_E0 LOBE_R(-0.16141332982507176) /* -37/224 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_E1 LOBE_R(0.31991831136500709) /* 55/168 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_E2 LOBE_R(0.0083372650840577606) /* 43/5040 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_E3 LOBE_R(0.24236235709470234) /* 125/504 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_E4 LOBE_R(0.0038777977135152375) /* 1/252 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_E5 LOBE_R(-0.0017450089710818569) /* -1/560 sqrt(3 / pi) */
+#define LOBE_DIFFUSE_SH_F0 LOBE_R(0.16332777486291215) /* 29/112 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_F1 LOBE_R(-0.011263984473304286) /* -1/56 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_F2 LOBE_R(-0.0022527968946608572) /* -1/280 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_G0 LOBE_R(-0.081663887431456073) /* -29/224 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_G1 LOBE_R(0.16895976709956429) /* 15/56 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_G2 LOBE_R(-0.016611532657600260) /* -73/2772 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_G3 LOBE_R(0.17046163169600486) /* 227/840 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_G4 LOBE_R(-0.0045055937893217144) /* -1/140 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_G5 LOBE_R(0.0047786600795836365) /* 1/132 sqrt(5 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_T0 LOBE_R(0.010663943712166903) /* 11/504 sqrt(3 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_T1 LOBE_R(0.11148668426356308) /* 115/504 sqrt(3 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_T2 LOBE_R(0.021327887424333806) /* 11/252 sqrt(3 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_T3 LOBE_R(0.0050411370275698087) /* 13/1260 sqrt(3 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_U0 LOBE_R(0.0056361625387686619) /* 13/2520 sqrt(15 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_U1 LOBE_R(0.14003696154017521) /* 323/2520 sqrt(15 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_U2 LOBE_R(0.011272325077537324) /* 13/1260 sqrt(15 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_U3 LOBE_R(0.0035472351642599970) /* 1/308 sqrt(15 / pi) / 2 */
+#define LOBE_DIFFUSE_SH_Q LOBE_R(0.0055179213666266620) /* 1/99 sqrt(15 / pi) / 4 */
+
+#endif

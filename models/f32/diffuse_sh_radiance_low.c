@@ -1,0 +1,3 @@
+#include "diffuse_sh_radiance_entry.h"
+
+LOBE_DIFFUSE_SH_RADIANCE_F32(lobe_diffuse_sh_radiance_low)

@@ -1,0 +1,4 @@
+#include "../diffuse_zonal.h"
+#include "sh9_entry.h"
+
+LOBE_SH9_F32(lobe_diffuse_sh_zonal_low)

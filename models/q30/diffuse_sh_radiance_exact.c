@@ -1,0 +1,3 @@
+#include "diffuse_sh_radiance.h"
+
+LOBE_DIFFUSE_SH_RADIANCE_Q30(exact)
