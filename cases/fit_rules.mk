@@ -51,3 +51,9 @@ $(B)/project_$(BRDF_KEY): $(BRDF) $(PROJECT_NEEDS)
 endif
 TEST_NEEDS += $(BRDFS:%=$(B)/project_%)
 TESTS += cases/test/test_project_brdf.sh
+
+# The explored front of cost against error, refitted from scratch: two minutes, and committed results.
+.PHONY: front
+front: $(B)/lobefit
+	$< search split_sum --csv cases/split_sum/front_corr.csv
+	$< search split_sum_sep --csv cases/split_sum/front_sep.csv

@@ -33,7 +33,8 @@ $(B)/conform: $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o 
 
 # Tests: programs on cmocka and scripts, all of which print TAP.
 UNIT_TESTS := range arrays limits promises q30 apply diffuse_sh diffuse_sh_radiance helpers tables vec_file judge hash
-SCRIPT_TESTS := cli conform contract dropin embed fuzz lib readme sanitize shaders targets vectors warnings
+SCRIPT_TESTS := chart cli conform contract diffuse_chart dropin embed fuzz header lib readme sanitize shaders targets vectors \
+                warnings
 TESTS += $(UNIT_TESTS:%=$(B)/test/test_%) $(SCRIPT_TESTS:%=harness/test/test_%.sh)
 
 $(UNIT_TESTS:%=$(B)/test/test_%): $(B)/test/test_%: harness/test/test_%.c \

@@ -37,7 +37,7 @@ static const candidate corr[] = {
     PROGRAM(corr, 16, 12, "Iwanicki-Pesce 2015", .2501),
     PROGRAM(corr, 17, 12, "Lazarov refit 2014", .4459),
     PROGRAM(corr, 18, 13, "Narkowicz 2014", .3272),
-    PROGRAM(corr, 25, 20, "HDRP-Lite", .08266),
+    PROGRAM(corr, 25, 20, "HDRP-Lite", .08274),
     W_FORM(corr, 37, 22, 3, 11, 0.5, "Ray Tracing Gems 2019", .3313),
     W_FORM(corr, 43, 21, 1, 9, -0.5, "MaterialX", .1120),
     W_FORM(corr, 49, 27, 2, 14, 0.5, "Unreal 5", .06456),
@@ -58,12 +58,12 @@ static const candidate corr[] = {
      0},
 };
 static const candidate sep[] = {
-    PROGRAM(sep, 14, 10, "Karis 2014", .1960),
-    PROGRAM(sep, 16, 14, "Iwanicki-Pesce 2015", .1417),
+    PROGRAM(sep, 14, 10, "Karis 2014", .196),
+    PROGRAM(sep, 16, 14, "Iwanicki-Pesce 2015", .1419),
     PROGRAM(sep, 17, 12, "Lazarov refit 2014", .1687),
-    PROGRAM(sep, 18, 16, "Narkowicz 2014", .09193),
+    PROGRAM(sep, 18, 16, "Narkowicz 2014", .09273),
     PROGRAM(sep, 25, 21, "HDRP-Lite", .3414),
-    W_FORM(sep, 37, 21, 2, 11, 0.5, "Ray Tracing Gems 2019", .05741),
+    W_FORM(sep, 37, 21, 2, 11, 0.5, "Ray Tracing Gems 2019", .05744),
     W_FORM(sep, 43, 30, 2, 16, 0.5, "MaterialX", .2908),
     W_FORM(sep, 49, 36, 1, 23, 0.5, "Unreal 5", .3024),
 };

@@ -1,0 +1,22 @@
+#!/bin/sh
+# models/lobe.h states the errors and costs that were measured: the figures in the comment above a tier's function are
+# those of the registry, which has them from models/coeffs/*_bounds.h.
+. harness/test/tap.sh
+"$B/lobecheck" list | awk '$3 == "f32" && $1 != "#" { print $1, $2, $4, $5, $7 }' >"$work/tiers"
+check 'there are tiers' [ -s "$work/tiers" ]
+
+# comment FUNCTION: the last comment before its declaration, on one line
+comment() {
+    awk -v name=" $1(" '/^\/\*/ { text = "" } { line = $0 } /^ ?\/?\*/ { text = text " " $0 } index(" " line, name) { print text; exit }' models/lobe.h
+}
+while read -r model tier ops max below; do
+    comment "lobe_${model}_${tier}_f32" >"$work/comment"
+    for figure in "max:$max" "ops:$ops" "below:$below"; do
+        value=${figure#*:}
+        # a table's stand in one comment for all, without what is below
+        case $tier:$figure in table*:below:*) continue ;; esac
+        pattern=$(printf '%s' "$value" | sed 's/^0\././; s/\./[.]/; s/^/(^|[^0-9.])0?/; s/$/([^0-9]|$)/')
+        check "lobe_${model}_${tier}_f32 states ${figure%%:*} $value" grep -qE -- "$pattern" "$work/comment"
+    done
+done <"$work/tiers"
+finish
