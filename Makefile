@@ -16,6 +16,11 @@ B       := build
 PREFIX  ?= /usr/local
 DESTDIR ?=
 
+# What matters here is the table at the end; make V=1 shows the commands.
+ifndef V
+.SILENT:
+endif
+
 .DEFAULT_GOAL := all
 .PHONY: all deps test fit conform chart stability install dist clean
 

@@ -8,6 +8,7 @@
 #include "../../models/energy.h"
 #include "../fit/coefficients.h"
 #include "../fit/fit_command.h"
+#include "../fit/fit_grid.h"
 #include "../fit/minimax.h"
 #include "../fit/progress.h"
 #include <math.h>
@@ -43,12 +44,6 @@ typedef struct problem {
     lobe_progress_line line;
 } problem;
 
-static double spread(double x, double lo, double dense)
-{
-    const double smooth = x * x * (3 - 2 * x), y = 0.5 * (x + smooth);
-    return lo + (1 - lo) * y * (1 - dense + dense * y);
-}
-
 static void grid_add(grid *g, double roughness, double n_dot_v, double weight)
 {
     g->at[2 * g->count] = roughness;
@@ -71,7 +66,7 @@ static bool grid_make(grid *g, int side, const tier *t, const lobe_case *c, cons
     }
     for (i = 0; i < side; i++)
         for (k = 0; k < side; k++)
-            grid_add(g, spread(i / (side - 1.0), t->lo, 0.65), spread(k / (side - 1.0), t->lo, 0.8), 1);
+            grid_add(g, lobe_fit_roughness(i, side, t->lo), lobe_fit_n_dot_v(k, side, t->lo), 1);
     /* Each step from the truth's end to 1 is the same factor. */
     for (i = 0; i < BELOW; i++)
         x[i] = TRUTH_LO * pow(1 / TRUTH_LO, i / (BELOW - 1.0));

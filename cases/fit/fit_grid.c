@@ -8,6 +8,10 @@ static double spread(double x, double lo, double dense)
     return lo + (1 - lo) * y * (1 - dense + dense * y);
 }
 
+double lobe_fit_roughness(int i, int side, double lo) { return spread(i / (side - 1.0), lo, 0.65); }
+
+double lobe_fit_n_dot_v(int i, int side, double lo) { return spread(i / (side - 1.0), lo, 0.8); }
+
 bool lobe_fit_grid_make(lobe_fit_grid *g, int side, double lo, const lobe_case *c, const lobe_sweep_options *sweep)
 {
     lobe_sweep_options options = *sweep;
@@ -22,8 +26,8 @@ bool lobe_fit_grid_make(lobe_fit_grid *g, int side, double lo, const lobe_case *
     for (i = 0; i < side; i++) {
         for (k = 0; k < side; k++) {
             double *row = g->at + 2 * (i * side + k);
-            row[0] = spread(i / (side - 1.0), lo, 0.65);
-            row[1] = spread(k / (side - 1.0), lo, 0.8);
+            row[0] = lobe_fit_roughness(i, side, lo);
+            row[1] = lobe_fit_n_dot_v(k, side, lo);
         }
     }
     options.label = "truth";

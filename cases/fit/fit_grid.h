@@ -5,7 +5,11 @@
 #include "../case.h"
 #include "sweep.h"
 
-/* side^2 points over [lo, 1]^2, denser toward every edge and toward low roughness and grazing views. */
+/* The i-th of `side` places in [lo, 1], denser toward both ends, and more so toward lo. */
+double lobe_fit_roughness(int i, int side, double lo);
+double lobe_fit_n_dot_v(int i, int side, double lo);
+
+/* side^2 such points. */
 typedef struct lobe_fit_grid {
     size_t count;
     double *at;    /* rows of roughness and NdotV */
