@@ -42,9 +42,10 @@ PACKAGES := build-essential clang lld llvm clang-format libclang-rt-14-dev valgr
     gcc-i686-linux-gnu libc6-dev-i386-cross qemu-user-static \
     gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
+AS_ROOT := $(if $(filter 0,$(shell id -u)),,sudo)
 deps:
-	apt-get update -q
-	DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(PACKAGES)
+	$(AS_ROOT) apt-get update -q
+	$(AS_ROOT) env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(PACKAGES)
 
 stability:
 	@echo 'make stability: failure maps come with the sphere lights, which are not in this version' >&2; exit 2
