@@ -4,6 +4,8 @@
 #include "diffuse_sh/tiers.h"
 #include "diffuse_sh/truth_diffuse.h"
 #include "energy/fit.h"
+#include "sphere_light/front.h"
+#include "sphere_light/truth_sphere.h"
 #include "split_sum/fit.h"
 #include "split_sum/front.h"
 #include "split_sum/tiers.h"
@@ -65,6 +67,20 @@ static const lobe_case cases[] = {
      .vectors = &lobe_diffuse_vectors,
      .fit = lobe_diffuse_fit,
      .bounds = lobe_diffuse_bounds},
+    {.name = "sphere_light",
+     .integral = "Lo = int D V n.l dl over the part above the horizon of a cone of half angle sigma; radiance 1",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2, F = 1",
+     .accuracy = "5e-7 relative",
+     .input_count = 5,
+     .output_count = 1,
+     .inputs = {{"roughness", 0.05, 1.0},
+                {"n_dot_v", 0.001, 1.0},
+                {"n_dot_l", -1.0, 1.0},
+                {"azimuth", 0.0, 3.141592653589793},
+                {"sigma", 0.0001, 1.570796326794896}},
+     .outputs = {"radiance"},
+     .truth = lobe_truth_sphere_rows,
+     .search = lobe_sphere_front_search},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
      .brdf = "GGX, Schlick-Smith with k = alpha/2, alpha = roughness^2; a published formula was fitted to it",

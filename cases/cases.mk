@@ -20,6 +20,7 @@ TRUTH_SRC := $(wildcard cases/split_sum/truth_*.c cases/energy/truth_*.c cases/d
 TRUTH_OBJ := $(TRUTH_SRC:%.c=$(B)/%.o) $(B)/cases/split_sum/truth_source.o
 CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/split_sum/tiers.c \
              $(addprefix cases/diffuse_sh/, points.c tiers.c closed_form.c metric.c shipped.c)
+-include cases/sphere_light.mk
 LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
 
 $(B)/cases/%.o: cases/%.c $(CASES_HDR)

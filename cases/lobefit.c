@@ -24,7 +24,7 @@ static const char usage[] =
     "      --tier TIER           this one alone\n"
     "      --out DIR             into DIR/coeffs and DIR/tables instead of models; also --threads, --progress\n"
     "  bounds CASE               measure what ships, write models/coeffs/CASE_bounds.h; --out, --threads, --progress\n"
-    "  search CASE | --csv FILE  search for formulas\n"
+    "  search CASE               fit the explored forms from scratch and print what each reaches; --csv FILE\n"
     "  emit CASE --to LANGUAGE   c, q30, cl, glsl, hlsl or fpcore; --tier TIER for one tier only\n"
     "  scene PROFILE --budget E  choose tiers for a scene\n"
     "  project FILE              an equirectangular map, RGBE (.hdr) or PFM, as nine SH coefficients a channel\n"

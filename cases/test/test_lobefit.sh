@@ -57,12 +57,22 @@ row "-0.5 0.5" "'-0.5'" energy
 row "0.5 1.0000001" "'1.0000001'" split_sum_sep
 row "0.5 0" "n_dot_v '0'" split_sum_kibl
 
+sphere() { refused "sphere light refused: $1" "<stdin>:2: .*$2" "0.5 0.5 0.5 1 0.1\n$1\n" truth sphere_light; }
+sphere "0.04 0.5 0.5 1 0.1" "roughness '0.04' is out of its domain, allowed range \[0.05, 1\]"
+sphere "0.5 0.5 -1.1 1 0.1" "n_dot_l '-1.1' is out of its domain"
+sphere "0.5 0.5 0.5 3.2 0.1" "azimuth '3.2' is out of its domain"
+sphere "0.5 0.5 0.5 1 0" "sigma '0' is out of its domain"
+sphere "0.5 0.5 0.5 1" "4 numbers in the row, expected 5"
+refused "search of sphere_light, unknown option" "unknown option '--out'" "" search sphere_light --out x
+refused "search of sphere_light, no threads" "threads '0' is not a whole number" "" search sphere_light --threads 0
+refused "search into a folder that is not there" "cannot write" "" search sphere_light --csv "$work/none/x.csv"
+
 "$lobefit" -h > "$work/h1" 2> "$work/err" && "$lobefit" truth --help > "$work/h2" && grep -q '^usage:' "$work/h1" &&
     cmp -s "$work/h1" "$work/h2" && [ ! -s "$work/err" ]
 result $? "-h explains on standard output"
 
 "$lobefit" list > "$work/list"
-[ "$(cut -f1 "$work/list" | tr '\n' ' ')" = "split_sum split_sum_sep energy diffuse_sh split_sum_kibl " ]
+[ "$(cut -f1 "$work/list" | tr '\n' ' ')" = "split_sum split_sum_sep energy diffuse_sh sphere_light split_sum_kibl " ]
 result $? "list names the cases"
 
 printf '# head\n0.5 0.7\n\n  1 , 1 # tail\n.25,5e-1\r\n' | "$lobefit" truth split_sum > "$work/out"
@@ -83,6 +93,13 @@ for case in split_sum split_sum_sep energy split_sum_kibl; do
         [ "$(wc -l < "$work/one")" -eq 500 ] && cmp -s "$work/one" "$work/two"
     result $? "$case: the same bytes with one thread and two"
 done
+
+awk 'BEGIN { for (i = 0; i < 60; i++) print 0.1 + 0.015 * i, 0.1 + 0.9 * (i % 7) / 6, (i % 11) / 10 - 0.2, 0.05 * i, 0.01 + 0.02 * i }' \
+    > "$work/spheres"
+"$lobefit" truth sphere_light --threads 1 < "$work/spheres" > "$work/one" &&
+    "$lobefit" truth sphere_light --threads 2 < "$work/spheres" > "$work/two" &&
+    [ "$(awk 'NF == 1' "$work/one" | wc -l)" -eq 60 ] && cmp -s "$work/one" "$work/two"
+result $? "sphere_light: one column, the same bytes with one thread and two"
 
 "$lobefit" truth split_sum < "$work/rows" 2> "$work/err" > /dev/null && [ ! -s "$work/err" ]
 result $? "no progress line where standard error is no terminal"
