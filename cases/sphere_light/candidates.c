@@ -2,9 +2,7 @@
 #include "candidates.h"
 #include <math.h>
 #include <stddef.h>
-#include "form_high.h"
-#include "form_low.h"
-#include "form_medium.h"
+#include "../../models/sphere_light_high.h"
 #include "peers.h"
 
 static lobe_sphere sphere_of(const double row[5])
@@ -14,7 +12,7 @@ static lobe_sphere sphere_of(const double row[5])
     lobe_sphere s;
     s.n_dot_v = v;
     s.n_dot_l = l;
-    s.tangent2 = apart * apart + 4 * sv * sl * cross * cross; /* sv^2 + sl^2 + 2 sv sl cos(azimuth) */
+    s.tangent2 = .25 * apart * apart + sv * sl * cross * cross; /* (sv^2 + sl^2 + 2 sv sl cos(azimuth)) / 4 */
     s.sine = sin(row[4]);
     s.versine = 2 * half * half;
     return s;

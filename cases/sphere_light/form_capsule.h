@@ -8,7 +8,8 @@
  * part lobe / (lobe + length), all as angles. The sphere's medium form then masks, bends to the plateau and sets. */
 #ifndef LOBE_SPHERE_LIGHT_FORM_CAPSULE_H
 #define LOBE_SPHERE_LIGHT_FORM_CAPSULE_H
-#include "form_medium.h"
+#include "../../models/sphere_light.h"
+#include "forms_coefficients.h"
 
 LOBE_STRUCT(lobe_capsule)
 {
@@ -54,7 +55,7 @@ LOBE_FN lobe_real lobe_capsule_light(LOBE_COEFFS lobe_real roughness, lobe_real 
     LOBE_LET ly = py * inv;
     LOBE_LET lz = pz * inv;
     LOBE_LET hx = vx + lx;
-    LOBE_LET tangent2 = hx * hx + ly * ly;
+    LOBE_LET tangent2 = LOBE_R(0.25) * (hx * hx + ly * ly);
     LOBE_LET versine = sine * sine / (LOBE_R(1.0) + lobe_sqrt(LOBE_R(1.0) - sine * sine));
     /* the length across the line of sight, as an angle */
     LOBE_LET along = (px * c.ex + py * c.ey + pz * c.ez) * inv;

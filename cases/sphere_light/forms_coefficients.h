@@ -1,26 +1,6 @@
-/* Coefficients of form_low.h, form_medium.h, form_high.h and form_capsule.h.
- * Fitted by Levenberg-Marquardt (the capsule by random descent) in double on the fit cells of cells.c, uniform and
- * mixed together; the objective is in README.md. The program that fitted them was an exploration and is not here: these
- * are the starting point of the fit that will be, not its output. */
+/* Coefficients of form_capsule.h, fitted by random descent in double; the program was an exploration and is not here. */
 #ifndef LOBE_SPHERE_LIGHT_FORMS_COEFFICIENTS_H
 #define LOBE_SPHERE_LIGHT_FORMS_COEFFICIENTS_H
-#define LOBE_SPHERE_LIGHT_LOW_C0 LOBE_R(0.11939664)
-#define LOBE_SPHERE_LIGHT_LOW_C1 LOBE_R(0.931064463)
-#define LOBE_SPHERE_LIGHT_LOW_C2 LOBE_R(1.15006979)
-#define LOBE_SPHERE_LIGHT_LOW_C3 LOBE_R(0.131185979)
-#define LOBE_SPHERE_LIGHT_LOW_C4 LOBE_R(0.604559613)
-#define LOBE_SPHERE_LIGHT_LOW_C5 LOBE_R(3.36409661)
-#define LOBE_SPHERE_LIGHT_MEDIUM_C0 LOBE_R(0.121420609)
-#define LOBE_SPHERE_LIGHT_MEDIUM_C1 LOBE_R(5.74969934)
-#define LOBE_SPHERE_LIGHT_MEDIUM_C2 LOBE_R(0.0820573521)
-#define LOBE_SPHERE_LIGHT_MEDIUM_C3 LOBE_R(0.579934067)
-#define LOBE_SPHERE_LIGHT_MEDIUM_C4 LOBE_R(2.12017708)
-#define LOBE_SPHERE_LIGHT_MEDIUM_C5 LOBE_R(1.11907805)
-#define LOBE_SPHERE_LIGHT_HIGH_C0 LOBE_R(0.508859148)
-#define LOBE_SPHERE_LIGHT_HIGH_C1 LOBE_R(0.523379007)
-#define LOBE_SPHERE_LIGHT_HIGH_C2 LOBE_R(-0.538869241)
-#define LOBE_SPHERE_LIGHT_HIGH_C3 LOBE_R(-0.332403675)
-#define LOBE_SPHERE_LIGHT_HIGH_C4 LOBE_R(-0.458395216)
 #define LOBE_CAPSULE_C0 LOBE_R(0.618561278)
 #define LOBE_CAPSULE_C1 LOBE_R(-0.0799356733)
 #define LOBE_CAPSULE_C2 LOBE_R(1.83765011)

@@ -4,7 +4,7 @@
 #ifndef LOBE_SPHERE_LIGHT_PEERS_H
 #define LOBE_SPHERE_LIGHT_PEERS_H
 #include "../../core/power.h"
-#include "forms.h"
+#include "../../models/sphere_light.h"
 
 LOBE_STRUCT(lobe_peer_point)
 {
@@ -18,17 +18,17 @@ LOBE_FN lobe_peer_point lobe_peer_point_of(lobe_sphere s, lobe_real part)
     LOBE_LET v = s.n_dot_v;
     LOBE_LET l = s.n_dot_l;
     LOBE_LET off = v - l;
-    LOBE_LET far = s.tangent2 + off * off;
+    LOBE_LET far = LOBE_R(4.0) * s.tangent2 + off * off;
     LOBE_LET foot = LOBE_R(1.0) - LOBE_R(0.5) * far; /* r.l */
     LOBE_LET out = far * (LOBE_R(1.0) - LOBE_R(0.25) * far);
     LOBE_LET left = LOBE_R(1.0) - part;
     LOBE_LET norm = lobe_sqrt(lobe_max(left * left * out + foot * foot, LOBE_R(1e-12)));
     LOBE_LET z = (left * l + part * (foot * v)) / norm;
     LOBE_LET h = v + l;
-    LOBE_LET c = LOBE_R(0.5) * (s.tangent2 + h * h) - LOBE_R(1.0);
+    LOBE_LET c = LOBE_R(0.5) * (LOBE_R(4.0) * s.tangent2 + h * h) - LOBE_R(1.0);
     LOBE_LET pc = (left * c + part * (foot * (LOBE_R(2.0) * v * v - LOBE_R(1.0)))) / norm;
     LOBE_LET hz = v + z;
-    LOBE_LET t2 = lobe_max(LOBE_R(2.0) + LOBE_R(2.0) * pc - hz * hz, LOBE_R(0.0));
+    LOBE_LET t2 = lobe_max(LOBE_R(0.5) + LOBE_R(0.5) * pc - LOBE_R(0.25) * (hz * hz), LOBE_R(0.0));
     lobe_peer_point y;
     y.z = z;
     y.tangent2 = t2;
@@ -39,7 +39,7 @@ LOBE_FN lobe_peer_point lobe_peer_point_of(lobe_sphere s, lobe_real part)
 LOBE_FN lobe_real lobe_peer_part(lobe_sphere s, lobe_real radius)
 {
     LOBE_LET off = s.n_dot_v - s.n_dot_l;
-    LOBE_LET far = s.tangent2 + off * off;
+    LOBE_LET far = LOBE_R(4.0) * s.tangent2 + off * off;
     LOBE_LET out = lobe_sqrt(lobe_max(far * (LOBE_R(1.0) - LOBE_R(0.25) * far), LOBE_R(1e-14)));
     LOBE_LET y = radius / out;
     return y;

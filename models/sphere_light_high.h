@@ -1,16 +1,8 @@
-/* Sphere light in closed form: 109 operations beyond the punctual light. Derived in README.md. Does not ship. */
-#ifndef LOBE_SPHERE_LIGHT_FORM_HIGH_H
-#define LOBE_SPHERE_LIGHT_FORM_HIGH_H
-#include "forms.h"
-#if defined(LOBE_FIT)
-#define LOBE_SPHERE_LIGHT_HIGH_C0 p[0]
-#define LOBE_SPHERE_LIGHT_HIGH_C1 p[1]
-#define LOBE_SPHERE_LIGHT_HIGH_C2 p[2]
-#define LOBE_SPHERE_LIGHT_HIGH_C3 p[3]
-#define LOBE_SPHERE_LIGHT_HIGH_C4 p[4]
-#else
-#include "forms_coefficients.h"
-#endif
+/* Sphere light in closed form: 109 operations beyond the punctual light. Derived in cases/sphere_light/README.md. */
+#ifndef LOBE_SPHERE_LIGHT_HIGH_H
+#define LOBE_SPHERE_LIGHT_HIGH_H
+#include "sphere_light.h"
+#include "coeffs/sphere_light_high.h"
 
 /* The cone of half vectors after the stretch is h Q' h >= 0. The signs are turned over where the light holds the
  * direction opposite to the view (k < 0): one eigenvalue is positive then as well, and its cone is what the light
@@ -18,6 +10,7 @@
 LOBE_FN lobe_real lobe_sphere_light_high(LOBE_COEFFS lobe_real roughness, lobe_sphere light)
 {
     const lobe_sphere s = lobe_sphere_clamped(light);
+    LOBE_LET across = LOBE_R(4.0) * s.tangent2; /* of v + l */
     LOBE_LET v = s.n_dot_v;
     LOBE_LET l = s.n_dot_l;
     LOBE_LET r = s.sine;
@@ -30,7 +23,7 @@ LOBE_FN lobe_real lobe_sphere_light_high(LOBE_COEFFS lobe_real roughness, lobe_s
     LOBE_LET s2 = r * r;
     LOBE_LET h = v + l;
     LOBE_LET h2 = h * h;
-    LOBE_LET g = LOBE_R(0.5) * (s.tangent2 + h2); /* 1 + v.l */
+    LOBE_LET g = LOBE_R(0.5) * (across + h2); /* 1 + v.l */
     LOBE_LET cosine = LOBE_R(1.0) - s.versine;
     LOBE_LET k = g - s.versine;
     LOBE_LET side = lobe_select(k, LOBE_R(1.0), LOBE_R(-1.0));
@@ -39,7 +32,7 @@ LOBE_FN lobe_real lobe_sphere_light_high(LOBE_COEFFS lobe_real roughness, lobe_s
     LOBE_LET e2 = s.versine + s.versine;
     LOBE_LET azz = h2 - (e2 * vl + s2);
     LOBE_LET qzz = vl + vl - k;
-    LOBE_LET c = a2 * (s.tangent2 - (e2 * (g - LOBE_R(1.0) - vl) + (s2 + s2)) + a2 * azz);
+    LOBE_LET c = a2 * (across - (e2 * (g - LOBE_R(1.0) - vl) + (s2 + s2)) + a2 * azz);
     LOBE_LET apart = g - LOBE_R(1.0) - cosine; /* v.l - cos, which is v Q v */
     LOBE_LET t = side * (b * qzz - a2 * (cosine + cosine + k));
     LOBE_LET a4 = a2 * a2;

@@ -1,0 +1,19 @@
+/* From the exploration that cases/sphere_light/README.md tells of: the start of lobefit fit sphere_light --tier low. */
+#ifndef LOBE_COEFFS_SPHERE_LIGHT_LOW_H
+#define LOBE_COEFFS_SPHERE_LIGHT_LOW_H
+#if defined(LOBE_FIT)
+#define LOBE_SPHERE_LIGHT_LOW_C0 p[0]
+#define LOBE_SPHERE_LIGHT_LOW_C1 p[1]
+#define LOBE_SPHERE_LIGHT_LOW_C2 p[2]
+#define LOBE_SPHERE_LIGHT_LOW_C3 p[3]
+#define LOBE_SPHERE_LIGHT_LOW_C4 p[4]
+#define LOBE_SPHERE_LIGHT_LOW_C5 p[5]
+#else
+#define LOBE_SPHERE_LIGHT_LOW_C0 LOBE_R(0.11939664)
+#define LOBE_SPHERE_LIGHT_LOW_C1 LOBE_R(0.931064463)
+#define LOBE_SPHERE_LIGHT_LOW_C2 LOBE_R(1.15006979)
+#define LOBE_SPHERE_LIGHT_LOW_C3 LOBE_R(0.131185979)
+#define LOBE_SPHERE_LIGHT_LOW_C4 LOBE_R(0.604559613)
+#define LOBE_SPHERE_LIGHT_LOW_C5 LOBE_R(3.36409661)
+#endif
+#endif
