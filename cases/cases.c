@@ -80,6 +80,7 @@ static const lobe_case cases[] = {
                 {"sigma", 0.0001, 1.570796326794896}},
      .outputs = {"radiance"},
      .truth = lobe_truth_sphere_rows,
+     .truth_opencl = lobe_truth_sphere_opencl,
      .search = lobe_sphere_front_search},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",

@@ -35,4 +35,7 @@ double lobe_truth_sphere_brdf(double alpha, const double v[3], const double l[3]
 /* A lobe_truth_fn: rows of roughness, n_dot_v, n_dot_l, azimuth, half angle; F0 = 1; stretched at 1e-8. */
 void lobe_truth_sphere_rows(const double *in, double *out, size_t n);
 
+/* The same through OpenCL, with the same bits; a lobe_truth_opencl_fn. */
+int lobe_truth_sphere_opencl(const double *in, double *out, size_t n, char *error, size_t error_size);
+
 #endif

@@ -1,16 +1,17 @@
 /* Over the normals. After h = S h' / |S h'|, S = diag(alpha, alpha, 1), the lobe is (u.h') / pi with u = S v, and the
  * light is a quadratic cone h' Q' h' >= 0 (README.md, 1 and 2). Polar coordinates about the cone's axis; t is the
- * eccentric angle of its section. The horizon is a quadratic along each great circle. */
-#include <math.h>
-#include "quadrature.h"
+ * eccentric angle of its section. The horizon is a quadratic along each great circle. Here the cone is found;
+ * truth_stretched.h integrates, in C and in OpenCL C. */
+#define LOBE_DOUBLE
+#include "truth_stretched.h"
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../fit/opencl.h"
 #include "truth_sphere.h"
 
-static const double pi = 3.14159265358979323846;
-
-typedef struct stretched {
-    double alpha, v_z, root_v, f0, u[3], e1[3], e2[3], e3[3], tan2, tan3, direction[3], relative, most;
-    int outside; /* the light is what the cone leaves out */
-} stretched;
+extern const char lobe_truth_sphere_source[];
 
 typedef struct eigen {
     long double value[3], vector[3][3]; /* vector[component][index] */
@@ -54,62 +55,8 @@ static eigen eigen_of(long double m[3][3])
     return e;
 }
 
-static double at_theta(double theta, void *context)
-{
-    const stretched *s = context;
-    const double sine = sin(theta), cosine = cos(theta), a2 = s->alpha * s->alpha;
-    double x[3], ux, n2, z, f, root_z;
-    int i;
-    for (i = 0; i < 3; i++)
-        x[i] = cosine * s->e1[i] + sine * s->direction[i];
-    ux = s->u[0] * x[0] + s->u[2] * x[2];
-    n2 = a2 * (x[0] * x[0] + x[1] * x[1]) + x[2] * x[2];
-    z = 2 * ux * x[2] / n2 - s->v_z; /* the light direction's height */
-    if (z <= 0 || ux <= 0)
-        return 0;
-    f = s->f0 + (1 - s->f0) * pow(fmax(0, 1 - ux / sqrt(n2)), 5);
-    root_z = sqrt(a2 + (1 - a2) * z * z);
-    return sine * ux * f * 2 * z / (z * s->root_v + s->v_z * root_z) / pi;
-}
-
-/* An angle in [0, pi) with this tangent. */
-static double half_turn(double y, double x)
-{
-    const double t = atan2(y, x);
-    return t < 0 ? t + pi : t;
-}
-
-static double at_t(double t, void *context)
-{
-    stretched *s = context;
-    const double c2 = s->tan2 * cos(t), c3 = s->tan3 * sin(t), r = sqrt(c2 * c2 + c3 * c3), a2 = s->alpha * s->alpha;
-    const double *p = s->e1, *q = s->direction, edge = atan(r), jacobian = s->tan2 * s->tan3 / (r * r);
-    double up, uq, w0, w1, w2, discriminant, inner, breaks[3];
-    int i, n = 0;
-    for (i = 0; i < 3; i++)
-        s->direction[i] = (c2 * s->e2[i] + c3 * s->e3[i]) / r;
-    /* the horizon: 2 (u.x) x.z - v_z |S x|^2 = 0 along the great circle */
-    up = s->u[0] * p[0] + s->u[2] * p[2];
-    uq = s->u[0] * q[0] + s->u[2] * q[2];
-    w0 = 2 * up * p[2] - s->v_z * (a2 * (p[0] * p[0] + p[1] * p[1]) + p[2] * p[2]);
-    w1 = up * q[2] + uq * p[2] - s->v_z * (a2 * (p[0] * q[0] + p[1] * q[1]) + p[2] * q[2]);
-    w2 = 2 * uq * q[2] - s->v_z * (a2 * (q[0] * q[0] + q[1] * q[1]) + q[2] * q[2]);
-    discriminant = w1 * w1 - w0 * w2;
-    if (discriminant > 0) {
-        const double y = -(w1 + (w1 >= 0 ? 1 : -1) * sqrt(discriminant));
-        breaks[n++] = half_turn(y, w2);
-        breaks[n++] = half_turn(w0, y);
-    }
-    breaks[n++] = half_turn(-up, uq); /* where the view no longer sees the normal */
-    /* Where the light is all but set along this circle, the height is rounding: what is far below the largest part so
-     * far need not be relative to itself. */
-    inner = lobe_quadrature(at_theta, s, s->outside ? edge : 0, s->outside ? pi : edge, breaks, n, .1 * s->relative,
-                            1e-4 * s->relative * s->most / jacobian);
-    s->most = fmax(s->most, fabs(jacobian * inner));
-    return jacobian * inner;
-}
-
-double lobe_truth_sphere_stretched(const lobe_sphere_scene *scene, double tolerance)
+/* false: the light is wholly set. */
+static bool stretch(const lobe_sphere_scene *scene, double tolerance, lobe_stretched *s)
 {
     const long double vz = scene->v_z, lz = scene->l_z, a = scene->alpha, sine = sqrtl(1 - lz * lz);
     const long double v[3] = {sqrtl(1 - vz * vz), 0, vz}, scale[3] = {a, a, 1};
@@ -117,13 +64,11 @@ double lobe_truth_sphere_stretched(const lobe_sphere_scene *scene, double tolera
     const long double k = v[0] * l[0] + v[2] * l[2] + cosl(scene->sigma);
     /* k < 0: the light holds -v; -Q' has the one positive eigenvalue, and its cone is what the light leaves out */
     const long double side = k < 0 ? -1 : 1;
-    double ratio, root, breaks[15];
-    long double m[3][3];
-    stretched s = {.alpha = scene->alpha, .v_z = scene->v_z, .f0 = scene->f0, .relative = tolerance};
+    long double m[3][3], behind;
     eigen e;
     int i, j, top = 0, second, third;
     if (asin(scene->l_z) <= -scene->sigma)
-        return 0;
+        return false;
     for (i = 0; i < 3; i++)
         for (j = 0; j < 3; j++)
             m[i][j] = side * scale[i] * scale[j] * (v[i] * l[j] + l[i] * v[j] - (i == j ? k : 0));
@@ -136,43 +81,73 @@ double lobe_truth_sphere_stretched(const lobe_sphere_scene *scene, double tolera
         second = third;
         third = (top + 1) % 3;
     }
+    s->alpha = scene->alpha;
+    s->v_z = scene->v_z;
+    s->root_v = sqrt(scene->alpha * scene->alpha + (1 - scene->alpha * scene->alpha) * scene->v_z * scene->v_z);
+    s->f0 = scene->f0;
+    s->relative = tolerance;
+    s->outside = k < 0 ? 1 : 0;
+    s->u_x = (double)(scale[0] * v[0]);
+    s->u_z = (double)vz;
+    behind = scale[0] * v[0] * e.vector[0][top] + vz * e.vector[2][top] < 0 ? -1 : 1;
     for (i = 0; i < 3; i++) {
-        s.u[i] = (double)(scale[i] * v[i]);
-        s.e1[i] = (double)e.vector[i][top];
-        s.e2[i] = (double)e.vector[i][second];
-        s.e3[i] = (double)e.vector[i][third];
-    }
-    s.outside = k < 0;
-    s.root_v = sqrt(scene->alpha * scene->alpha + (1 - scene->alpha * scene->alpha) * scene->v_z * scene->v_z);
-    if (s.u[0] * s.e1[0] + s.u[2] * s.e1[2] < 0) {
-        for (i = 0; i < 3; i++)
-            s.e1[i] = -s.e1[i];
+        s->e1[i] = (double)(behind * e.vector[i][top]);
+        s->e2[i] = (double)e.vector[i][second];
+        s->e3[i] = (double)e.vector[i][third];
     }
     /* at k = 0 an eigenvalue is 0 and the cone a wedge: a tangent of 1e9 is that within 1e-9 */
-    s.tan2 = (double)sqrtl(e.value[top] / fmaxl(-e.value[second], 1e-18L * e.value[top]));
-    s.tan3 = (double)sqrtl(e.value[top] / fmaxl(-e.value[third], 1e-18L * e.value[top]));
-    /* A long section sweeps through its short axis within the ratio of the two: breaks, or the nodes step over it. */
-    ratio = atan(s.tan2 / s.tan3);
-    root = atan(sqrt(s.tan2 / s.tan3));
-    for (i = 0; i < 2; i++) {
-        const double turn = i * pi;
-        breaks[7 * i] = turn + ratio;
-        breaks[7 * i + 1] = turn + root;
-        breaks[7 * i + 2] = turn + .25 * pi;
-        breaks[7 * i + 3] = turn + .5 * pi;
-        breaks[7 * i + 4] = turn + .75 * pi;
-        breaks[7 * i + 5] = turn + pi - root;
-        breaks[7 * i + 6] = turn + pi - ratio;
-    }
-    breaks[14] = pi;
-    return lobe_quadrature(at_t, &s, 0, 2 * pi, breaks, 15, tolerance, 0);
+    s->tan2 = (double)sqrtl(e.value[top] / fmaxl(-e.value[second], 1e-18L * e.value[top]));
+    s->tan3 = (double)sqrtl(e.value[top] / fmaxl(-e.value[third], 1e-18L * e.value[top]));
+    return true;
+}
+
+double lobe_truth_sphere_stretched(const lobe_sphere_scene *scene, double tolerance)
+{
+    lobe_stretched s;
+    return stretch(scene, tolerance, &s) ? lobe_stretched_integral(&s) : 0;
+}
+
+static lobe_sphere_scene scene_of(const double *in)
+{
+    const lobe_sphere_scene s = {in[0] * in[0], in[1], in[2], in[3], in[4], 1};
+    return s;
 }
 
 void lobe_truth_sphere_rows(const double *in, double *out, size_t n)
 {
     size_t i;
-    for (i = 0; i < n; i++, in += 5) {
-        const lobe_sphere_scene s = {in[0] * in[0], in[1], in[2], in[3], in[4], 1};
+    for (i = 0; i < n; i++) {
+        const lobe_sphere_scene s = scene_of(in + 5 * i);
         out[i] = lobe_truth_sphere_stretched(&s, 1e-8);
     }
+}
+
+/* The cone is found here, in long double, which a device need not have; alpha = 0 stands for a light that is set. */
+int lobe_truth_sphere_opencl(const double *in, double *out, size_t n, char *error, size_t error_size)
+{
+    static const double table[1] = {0};
+    lobe_opencl_job job = {.source = lobe_truth_sphere_source, .entry = "lobe_truth_rows"};
+    double *rows = calloc(n ? n : 1, sizeof(lobe_stretched));
+    size_t i;
+    int status;
+    if (!rows) {
+        snprintf(error, error_size, "OpenCL: no memory for %zu rows", n);
+        return 2;
+    }
+    for (i = 0; i < n; i++) {
+        const lobe_sphere_scene scene = scene_of(in + 5 * i);
+        lobe_stretched s;
+        if (stretch(&scene, 1e-8, &s))
+            memcpy(rows + LOBE_STRETCHED_ROW * i, &s, sizeof s);
+    }
+    job.in = rows;
+    job.in_count = LOBE_STRETCHED_ROW * n;
+    job.out = out;
+    job.out_count = n;
+    job.table = table;
+    job.table_count = 1;
+    job.rows = n;
+    status = lobe_opencl_run(&job, error, error_size);
+    free(rows);
+    return status;
 }
