@@ -47,8 +47,5 @@ deps:
 	$(AS_ROOT) apt-get update -q
 	$(AS_ROOT) env DEBIAN_FRONTEND=noninteractive apt-get install -qy --no-install-recommends $(PACKAGES)
 
-stability:
-	@echo 'make stability: failure maps come with the sphere lights, which are not in this version' >&2; exit 2
-
 clean:
 	rm -rf $(B)

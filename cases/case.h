@@ -14,7 +14,10 @@ typedef struct lobe_case lobe_case;
 /* Reads n rows of inputs, writes n rows of outputs. Reentrant, and no row depends on another. */
 typedef void (*lobe_truth_fn)(const double *in, double *out, size_t n);
 
-/* The same through OpenCL. 0, or 2 with the reason in error. */
+/* NULL, or why there is no truth for this row, whose columns are in their ranges: static text. */
+typedef const char *(*lobe_refuse_fn)(const double *in);
+
+/* The truth through OpenCL. 0, or 2 with the reason in error. */
 typedef int (*lobe_truth_opencl_fn)(const double *in, double *out, size_t n, char *error, size_t error_size);
 
 /* A command of lobefit; argv holds what follows the case's name. Returns the exit status. */
@@ -29,6 +32,7 @@ struct lobe_case {
     lobe_column inputs[LOBE_CASE_COLUMNS]; /* with the domain of the truth */
     const char *outputs[LOBE_CASE_COLUMNS];
     lobe_truth_fn truth;
+    lobe_refuse_fn refuse; /* NULL: the columns' ranges are the domain */
     lobe_truth_opencl_fn truth_opencl;
     const lobe_vector_set *vectors; /* tiers, formats and bounds; NULL: no vectors */
     lobe_command_fn fit;

@@ -1,10 +1,19 @@
 #include "case.h"
 #include <string.h>
+#include "capsule_light/fit.h"
+#include "capsule_light/front.h"
+#include "capsule_light/truth_capsule.h"
 #include "diffuse_sh/fit.h"
 #include "diffuse_sh/tiers.h"
 #include "diffuse_sh/truth_diffuse.h"
 #include "energy/fit.h"
+#include "sphere_diffuse/fit.h"
+#include "sphere_diffuse/tiers.h"
+#include "sphere_diffuse/truth_sphere_diffuse.h"
+#include "sphere_light/bounds.h"
+#include "sphere_light/fit.h"
 #include "sphere_light/front.h"
+#include "sphere_light/tiers.h"
 #include "sphere_light/truth_sphere.h"
 #include "split_sum/fit.h"
 #include "split_sum/front.h"
@@ -81,7 +90,42 @@ static const lobe_case cases[] = {
      .outputs = {"radiance"},
      .truth = lobe_truth_sphere_rows,
      .truth_opencl = lobe_truth_sphere_opencl,
+     .vectors = &lobe_sphere_vectors,
+     .fit = lobe_sphere_fit,
+     .bounds = lobe_sphere_bounds,
      .search = lobe_sphere_front_search},
+    {.name = "sphere_diffuse",
+     .integral = "E / pi = int n.l / pi dl over the part above the horizon of a cone of half angle asin(sine)",
+     .brdf = "Lambert, base colour 1",
+     .accuracy = "2e-15",
+     .input_count = 2,
+     .output_count = 1,
+     .inputs = {{"n_dot_l", -1.0, 1.0}, {"sine", 0.0, 1.0}},
+     .outputs = {"irradiance"},
+     .truth = lobe_truth_sphere_diffuse_rows,
+     .vectors = &lobe_sphere_diffuse_vectors,
+     .fit = lobe_sphere_diffuse_fit,
+     .bounds = lobe_sphere_diffuse_bounds},
+    {.name = "capsule_light",
+     .integral = "Lo = int D V n.l dl over the part above the horizon of what a capsule covers; radiance 1",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2, F = 1",
+     .accuracy = "1e-6 relative",
+     .input_count = 9,
+     .output_count = 1,
+     .inputs = {{"roughness", 0.05, 1.0},
+                {"n_dot_v", 0.001, 1.0},
+                {"mx", -1e6, 1e6},
+                {"my", -1e6, 1e6},
+                {"mz", -1e6, 1e6},
+                {"ex", -1e6, 1e6},
+                {"ey", -1e6, 1e6},
+                {"ez", -1e6, 1e6},
+                {"radius", 1e-9, 1e6}},
+     .outputs = {"radiance"},
+     .truth = lobe_truth_capsule_rows,
+     .refuse = lobe_truth_capsule_row_refusal,
+     .fit = lobe_capsule_fit,
+     .search = lobe_capsule_front_search},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
      .brdf = "GGX, Schlick-Smith with k = alpha/2, alpha = roughness^2; a published formula was fitted to it",

@@ -21,6 +21,9 @@ TRUTH_OBJ := $(TRUTH_SRC:%.c=$(B)/%.o) $(B)/cases/split_sum/truth_source.o
 CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/split_sum/tiers.c \
              $(addprefix cases/diffuse_sh/, points.c tiers.c closed_form.c metric.c shipped.c)
 -include cases/sphere_light.mk
+-include cases/sphere_diffuse.mk
+-include cases/capsule_light.mk
+-include cases/sphere_stability.mk
 LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
 
 $(B)/cases/%.o: cases/%.c $(CASES_HDR)

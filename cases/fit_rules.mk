@@ -12,8 +12,10 @@ $(B)/blank: $(addprefix $(B)/cases/fit/,blank_main.o coefficients.o atomic_file.
 #
 # A new closed-form tier is: a kernel in models/MODEL.h; build/blank coeffs models/coeffs MODEL TIER COUNT; a line in
 # the case's list of fits; models/f32/MODEL_TIER.c. Then lobefit fit and make emit-q30, and when both are there a line
-# in cases/split_sum/tier_rows.h and in harness/registry_rows.h, build/blank bounds, and make fit.
-FIT_MODELS := split_sum split_sum_sep energy diffuse_sh
+# in cases/split_sum/tier_rows.h and in harness/registry_rows.h, build/blank bounds, and make fit. A tier of a sphere
+# light has its line of fits in cases/sphere_light/fit_tiers.c and fit.c, its integers by hand, its row in
+# cases/sphere_light/tier_rows.h.
+FIT_MODELS := split_sum split_sum_sep energy diffuse_sh sphere_light sphere_diffuse
 LOBEFIT_AGAIN = $(MAKE) --no-print-directory $(B)/lobefit
 .PHONY: fit
 fit:

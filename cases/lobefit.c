@@ -140,6 +140,13 @@ static int truth(const lobe_case *c, int argc, char **argv)
         return refuse("truth: --opencl is not available for %s", c->name);
     if (lobe_rows_read(stdin, "<stdin>", c->inputs, c->input_count, &rows, error, sizeof error))
         return refuse("%s", error);
+    for (i = 0; c->refuse && i < rows.count; i++) {
+        const char *reason = c->refuse(rows.values + i * (size_t)c->input_count);
+        if (reason) {
+            lobe_rows_free(&rows);
+            return refuse("<stdin>: row %zu: %s", i + 1, reason);
+        }
+    }
     out = malloc((rows.count * (size_t)c->output_count + 1) * sizeof *out);
     if (!out) {
         lobe_rows_free(&rows);

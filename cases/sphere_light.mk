@@ -1,15 +1,32 @@
-# Sphere and capsule lights: truth, and the forms that were explored. None of it ships yet.
-SPHERE_LIGHT_SRC := $(wildcard cases/sphere_light/*.c)
+# Sphere and capsule lights: truth, fits, and the forms that were explored. The tests link what is no command.
+SPHERE_LIGHT_COMMANDS := $(addprefix cases/sphere_light/,bounds.c fit.c fit_tiers.c front.c ltc_fit.c objective.c \
+    peers_fit.c shipped.c tiers.c)
+SPHERE_LIGHT_SRC := $(filter-out $(SPHERE_LIGHT_COMMANDS),$(wildcard cases/sphere_light/*.c)) cases/fit/truth_cache.c
 SPHERE_LIGHT_OBJ := $(SPHERE_LIGHT_SRC:%.c=$(B)/%.o) $(B)/cases/sphere_light/truth_source.o
-FIT_OBJ += $(SPHERE_LIGHT_OBJ)
+FIT_OBJ += $(SPHERE_LIGHT_OBJ) $(SPHERE_LIGHT_COMMANDS:%.c=$(B)/%.o)
+
+# Operations of the published forms, from their texts.
+FIT_OBJ += $(if $(EMIT_OBJ),$(B)/cases/sphere_light/operations.o)
+$(B)/cases/sphere_light/operations.o: cases/sphere_light/operations.cpp $(EMIT_HDR) $(wildcard cases/sphere_light/*.h)
+	@mkdir -p $(@D)
+	$(CXX) $(EMIT_CXXFLAGS) -c $< -o $@
 
 # Every form against the truth on its cells: half a minute on two processors, and a committed result.
 .PHONY: sphere-light-front
 sphere-light-front: $(B)/lobefit
 	$< search sphere_light --csv cases/sphere_light/front.csv
 
-TESTS += $(B)/test/test_sphere_light
-$(B)/test/test_sphere_light: cases/test/test_sphere_light.c $(SPHERE_LIGHT_OBJ) $(TRUTH_OBJ) \
+# What is fitted of the published forms, before the front: the constants in half a minute, and the table of linearly
+# transformed cosines in as much.
+.PHONY: sphere-light-peers ltc
+sphere-light-peers: $(B)/lobefit
+	$< search sphere_light --peers cases/sphere_light/peers_fitted.h
+ltc: $(B)/lobefit
+	$< search sphere_light --ltc cases/sphere_light/ltc_table.h
+
+SPHERE_LIGHT_TESTS := $(B)/test/test_sphere_light $(B)/test/test_sphere_peers
+TESTS += $(SPHERE_LIGHT_TESTS) cases/test/test_sphere_again.sh
+$(SPHERE_LIGHT_TESTS): $(B)/test/%: cases/test/%.c $(SPHERE_LIGHT_OBJ) $(TRUTH_OBJ) \
                              $(B)/cases/fit/atomic_file.o $(CASES_HDR)
 	@mkdir -p $(@D)
 	$(CC) $(CASES_CFLAGS) $(filter %.c %.o,$^) $(LOBEFIT_LIBS) -lcmocka -o $@
@@ -28,3 +45,10 @@ $(B)/test/test_sphere_light_opencl: cases/test/test_sphere_light_opencl.c $(SPHE
                                     $(B)/cases/fit/atomic_file.o $(CASES_HDR)
 	@mkdir -p $(@D)
 	$(CC) $(CASES_CFLAGS) $(filter %.c %.o,$^) $(LOBEFIT_LIBS) -lcmocka -o $@
+
+SPHERE_FIT_TESTS := test_sphere_floors test_sphere_fit
+TESTS += $(SPHERE_FIT_TESTS:%=$(B)/test/%)
+$(SPHERE_FIT_TESTS:%=$(B)/test/%): $(B)/test/%: cases/test/%.c $(SPHERE_LIGHT_OBJ) $(TRUTH_OBJ) \
+    $(addprefix $(B)/cases/sphere_light/,fit_tiers.o objective.o shipped.o) $(B)/liblobe.a $(CASES_HDR)
+	@mkdir -p $(@D)
+	$(CC) $(CASES_CFLAGS) $(filter %.c %.o %.a,$^) $(LOBEFIT_LIBS) -lcmocka -o $@

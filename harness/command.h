@@ -14,6 +14,10 @@ int lobe_command_bench(int argc, char **argv);
  * model, then tier of that model (NULL: not given), then format; 0 where all are known. */
 int lobe_refuse_names(const char *model, const char *tier, const char *format);
 
+/* The domain as text without blanks, at most size bytes: "[0.02,1]" where it is the same for every input, else one an
+ * input, with an x between. Returns text. */
+const char *lobe_domain_text(const lobe_entry *entry, char *text, size_t size);
+
 /* The value of `--name VALUE` or `--name=VALUE` at argv[*i]; moves *i onto the value. NULL: another argument. */
 const char *lobe_option(int argc, char **argv, int *i, const char *name);
 

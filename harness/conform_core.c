@@ -22,13 +22,11 @@ static void judge_row(const lobe_entry *entry, const lobe_vectors *vectors, uint
 {
     const double *truth = vectors->truth + (size_t)row * (size_t)entry->outputs;
     lobe_value in[LOBE_MAX_INPUTS], out[LOBE_MAX_OUTPUTS];
-    lobe_part *part = inside;
+    lobe_part *part;
     double got_sum = 0.0, want_sum = 0.0;
     int k, kept = 1;
     lobe_evaluate_row(entry, vectors, row, in, out);
-    for (k = 0; k < entry->inputs; k++)
-        if (lobe_value_real(entry->format, in[k]) < entry->domain_lo)
-            part = below;
+    part = lobe_in_domain(entry, in) ? inside : below;
     for (k = 0; k < entry->outputs + entry->sums; k++) {
         const double got = k < entry->outputs ? lobe_value_real(entry->format, out[k]) : got_sum;
         const double want = k < entry->outputs ? truth[k] : want_sum;

@@ -44,11 +44,11 @@ typedef struct lobe_part {
 #define LOBE_NOT_FINITE 1e300
 
 typedef struct lobe_verdict {
-    lobe_part inside, below; /* below: rows with an input less than the entry's domain_lo */
+    lobe_part inside, below; /* below: rows with an input out of its domain, above it too */
 } lobe_verdict;
 
 /* Evaluates every row. A row must keep the vectors' bound and the library's, which is max inside the domain
- * and below_max below it. The vectors must have the entry's inputs and outputs. */
+ * and below_max outside. The vectors must have the entry's inputs and outputs. */
 lobe_verdict lobe_judge(const lobe_entry *entry, const lobe_vectors *vectors);
 
 /* The entry's inputs and outputs at a row. */

@@ -1,6 +1,7 @@
 /* lobecheck eval: hands rows of any numbers to one function, and prints what it answers. */
 #include "command.h"
 #include "rows.h"
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -41,6 +42,27 @@ static int read_line(FILE *stream, char *line)
     return c == EOF && length == 0 ? -1 : length;
 }
 
+static double held(double x, double lo, double hi) { return x < lo ? lo : x > hi ? hi : x; } /* NaN stays */
+
+/* A sphere light is asked for by angles, in as many columns as its functions have inputs. */
+static const char *user_columns(const lobe_entry *e)
+{
+    return lobe_same(e->model, "sphere_light") ? "roughness n_dot_v n_dot_l azimuth half_angle" : e->input_names;
+}
+
+/* From the user's columns to the function's. Azimuth 0 is where view and light lean to the same side, pi is the
+ * mirror's side; past 90 degrees a half angle counts as 90. */
+static void to_inputs(const lobe_entry *e, double *x)
+{
+    if (lobe_same(e->model, "sphere_light")) {
+        const double v = held(x[1], 0.0, 1.0), l = held(x[2], -1.0, 1.0);
+        const double along_v = sqrt((1.0 - v) * (1.0 + v)), along_l = sqrt((1.0 - l) * (1.0 + l));
+        const double apart = along_v - along_l, cosine = cos(0.5 * x[3]);
+        x[3] = 0.25 * (apart * apart) + along_v * along_l * (cosine * cosine);
+        x[4] = sin(held(x[4], 0.0, 1.5707963267948966));
+    }
+}
+
 static int evaluate_all(const lobe_entry *e, answers *a)
 {
     char line[LINE_MAX_BYTES], reason[LOBE_REASON_SIZE];
@@ -62,9 +84,10 @@ static int evaluate_all(const lobe_entry *e, answers *a)
             snprintf(reason, sizeof reason, "%d numbers", count);
         if (count < e->inputs) {
             fprintf(stderr, "<stdin>:%zu: %s; a row of %s has %d: %s\n", number, reason, e->model, e->inputs,
-                    e->input_names);
+                    user_columns(e));
             return 2;
         }
+        to_inputs(e, numbers);
         for (k = 0; k < e->inputs; k++)
             in[k] = lobe_value_nearest(e->format, numbers[k]);
         e->call(in, out);

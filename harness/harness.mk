@@ -32,8 +32,10 @@ $(B)/conform: $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o 
 	$(CC) $(ALL_CFLAGS) -Iharness $^ -o $@ $(LDFLAGS)
 
 # Tests: programs on cmocka and scripts, all of which print TAP.
-UNIT_TESTS := range arrays limits promises q30 apply diffuse_sh diffuse_sh_radiance helpers tables vec_file judge hash
-SCRIPT_TESTS := chart cli conform contract diffuse_chart dropin embed fuzz header lib readme sanitize shaders targets vectors \
+UNIT_TESTS := range arrays limits promises q30 apply diffuse_sh diffuse_sh_radiance sphere_diffuse sphere_sh \
+              sphere_tiers sphere_seen sphere_light_q30 \
+              helpers tables vec_file judge hash
+SCRIPT_TESTS := chart cli conform contract diffuse_chart dropin embed fuzz header lib readme sanitize shaders sphere_chart targets vectors \
                 warnings
 TESTS += $(UNIT_TESTS:%=$(B)/test/test_%) $(SCRIPT_TESTS:%=harness/test/test_%.sh)
 

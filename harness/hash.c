@@ -43,10 +43,13 @@ static uint64_t mix(uint64_t counter)
 void lobe_hash_inputs(const lobe_entry *entry, uint32_t i, lobe_value *in)
 {
     const int q30 = entry->format == LOBE_Q30;
+    /* 5 was the most inputs once, and committed hashes stay */
+    const uint64_t stride = entry->inputs <= 5 ? 5 : 16;
     int k;
     for (k = 0; k < entry->inputs; k++) {
-        const uint64_t r = mix((uint64_t)i * LOBE_MAX_INPUTS + (uint64_t)k);
-        uint32_t unit = (uint32_t)(r >> 40); /* [0, 2^24) */
+        const uint64_t r = mix((uint64_t)i * stride + (uint64_t)k);
+        const int both = entry->ranges[k].least < 0.0; /* signs */
+        uint32_t unit = (uint32_t)(r >> 40);           /* [0, 2^24) */
         if (i < SPECIALS * SPECIALS) {
             const uint32_t which = k == 0 ? i / SPECIALS : k == 1 ? i % SPECIALS : unit % SPECIALS;
             in[k].bits = q30 ? special_q30[which] : special_f32[which];
@@ -58,6 +61,10 @@ void lobe_hash_inputs(const lobe_entry *entry, uint32_t i, lobe_value *in)
                 in[k].q = (int32_t)(unit << 6);
             else
                 in[k].f = (float)unit * 0x1p-24f;
+            if (both && (r >> 32 & 1u)) { /* a bit that no other choice hangs on */
+                in[k].q = q30 ? -in[k].q : in[k].q;
+                in[k].bits ^= q30 ? 0u : 0x80000000u;
+            }
         }
     }
 }

@@ -17,7 +17,8 @@ uint64_t lobe_fnv1a(uint64_t hash, const void *bytes, size_t length);
 uint64_t lobe_fnv1a_word(uint64_t hash, uint32_t word);
 
 /* The inputs of evaluation i: first every pair of special values, then three sorts in turn: 14 of 16
- * uniform on [0, 1], one of 16 near 0, one of 16 any 32 bits (NaN, infinities, denormals, all integers). */
+ * uniform on [0, 1], or [-1, 1] where that is the range, one of 16 near 0, one of 16 any 32 bits (NaN, infinities,
+ * denormals, all integers). */
 void lobe_hash_inputs(const lobe_entry *entry, uint32_t i, lobe_value *in);
 
 /* FNV-1a over the outputs' bits of evaluations 0 to count - 1. */

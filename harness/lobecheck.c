@@ -18,7 +18,9 @@ static const char usage[] =
     "lobecheck run [FILE...]         checks vector files (default: vectors/*.vec), a row a file\n"
     "lobecheck eval MODEL --tier T --format f32|q30\n"
     "                                rows of inputs on standard input, rows of outputs on standard output;\n"
-    "                                any number is answered, nan and inf too; q30 takes real numbers\n"
+    "                                any number is answered, nan and inf too; q30 takes real numbers;\n"
+    "                                sphere_light: roughness, n.v, n.l of its centre, azimuth from view to\n"
+    "                                light (pi: the mirror's side) and half angle in radians\n"
     "lobecheck hash [--write] [--file FILE]\n"
     "                                compares each function's bits with vectors/hashes.txt, or writes that\n"
     "lobecheck bench [MODEL]         nanoseconds an evaluation on this machine, scalar and array\n"
@@ -79,6 +81,19 @@ int lobe_refuse_names(const char *model, const char *tier, const char *format)
     return 2;
 }
 
+const char *lobe_domain_text(const lobe_entry *entry, char *text, size_t size)
+{
+    size_t length = 0;
+    int k, alike = 1;
+    for (k = 1; k < entry->inputs; k++)
+        alike &= entry->ranges[k].lo == entry->ranges[0].lo && entry->ranges[k].hi == entry->ranges[0].hi;
+    text[0] = 0;
+    for (k = 0; k < (alike ? 1 : entry->inputs) && length < size; k++)
+        length += (size_t)snprintf(text + length, size - length, k ? "x[%g,%g]" : "[%g,%g]", entry->ranges[k].lo,
+                                   entry->ranges[k].hi);
+    return text;
+}
+
 int lobe_command_list(int argc, char **argv)
 {
     size_t i;
@@ -90,8 +105,8 @@ int lobe_command_list(int argc, char **argv)
            "max below", "domain", "inputs -> outputs", "kernel");
     for (i = 0; i < lobe_entry_count; i++) {
         const lobe_entry *e = &lobe_entries[i];
-        char domain[32], columns[96];
-        snprintf(domain, sizeof domain, "[%g,1]", e->domain_lo);
+        char domain[160], columns[160];
+        lobe_domain_text(e, domain, sizeof domain);
         snprintf(columns, sizeof columns, "%s->%s", e->input_names, e->output_names);
         for (char *c = columns; *c; c++)
             if (*c == ' ')

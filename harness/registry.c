@@ -1,6 +1,8 @@
 #include "registry.h"
 #include "../models/coeffs/diffuse_sh_bounds.h"
 #include "../models/coeffs/energy_bounds.h"
+#include "../models/coeffs/sphere_diffuse_bounds.h"
+#include "../models/coeffs/sphere_light_bounds.h"
 #include "../models/coeffs/split_sum_bounds.h"
 #include "../models/coeffs/split_sum_sep_bounds.h"
 #include "../models/lobe.h"
@@ -65,6 +67,35 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
 #define SH9_Q30(model, tier, bounds) SH9_CALL(model, tier, q30, q) SH9_ARRAY(model, tier, q30, q, int32_t)
 #define SH9_CONSTANT_F32(model, tier, bounds) SH9_CONSTANT(model, tier, f32, f)
 #define SH9_CONSTANT_Q30(model, tier, bounds) SH9_CONSTANT(model, tier, q30, q)
+#define SPHERE_F32(model, tier, bounds)                                                                                \
+    static void model##_##tier##_f32(const lobe_value *in, lobe_value *out)                                            \
+    {                                                                                                                  \
+        out[0].f = lobe_##model##_##tier##_f32(in[0].f, lobe_sphere_of_f32(in[1].f, in[2].f, in[3].f, in[4].f));       \
+    }                                                                                                                  \
+    static void model##_##tier##_n_f32(const lobe_value *const *in, lobe_value *const *out, size_t n)                  \
+    {                                                                                                                  \
+        lobe_##model##_##tier##_n_f32(&in[0]->f, &in[1]->f, &in[2]->f, &in[3]->f, &in[4]->f, &out[0]->f, n);           \
+    }
+#define SPHERE_Q30(model, tier, bounds)                                                                                \
+    static void model##_##tier##_q30(const lobe_value *in, lobe_value *out)                                            \
+    {                                                                                                                  \
+        const lobe_sphere_q30 light = {in[1].q, in[2].q, in[3].q, in[4].q};                                            \
+        out[0].q = lobe_scaled_to_q30(lobe_##model##_##tier##_q30(in[0].q, light));                                    \
+    }
+#define SPHERE_DIFFUSE_F32(model, tier, bounds)                                                                        \
+    static void model##_##tier##_f32(const lobe_value *in, lobe_value *out)                                            \
+    {                                                                                                                  \
+        out[0].f = lobe_##model##_##tier##_f32(in[0].f, in[1].f);                                                      \
+    }                                                                                                                  \
+    static void model##_##tier##_n_f32(const lobe_value *const *in, lobe_value *const *out, size_t n)                  \
+    {                                                                                                                  \
+        lobe_##model##_##tier##_n_f32(&in[0]->f, &in[1]->f, &out[0]->f, n);                                            \
+    }
+#define SPHERE_DIFFUSE_Q30(model, tier, bounds)                                                                        \
+    static void model##_##tier##_q30(const lobe_value *in, lobe_value *out)                                            \
+    {                                                                                                                  \
+        out[0].q = lobe_scaled_to_q30(lobe_##model##_##tier##_q30(in[0].q, in[1].q));                                  \
+    }
 #include "registry_rows.h"
 #undef DFG_F32
 #undef DFG_Q30
@@ -75,19 +106,35 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
 #undef SH9_Q30
 #undef SH9_CONSTANT_F32
 #undef SH9_CONSTANT_Q30
+#undef SPHERE_F32
+#undef SPHERE_Q30
+#undef SPHERE_DIFFUSE_F32
+#undef SPHERE_DIFFUSE_Q30
 
-/* Second reading: the table. */
+/* Ranges that are the same for every tier of a model. */
+static const lobe_range sphere_light_ranges[] = {{0.22, 1.0, 0.0, 1.0},
+                                                 {0.08, 1.0, 0.0, 1.0},
+                                                 {-1.0, 1.0, -1.0, 1.0},
+                                                 {0.0, 1.0, 0.0, 1.0},
+                                                 {0.0, 0.7072, 0.0, 1.0}};
+static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0, 1.0, 0.0, 1.0}};
+
+/* Second reading: the table. ROW_OF has everything, the others what their models have in common. */
 #define ROW(model, tier, format, FORMAT, outputs, names, sums, array, bounds)                                          \
     ROW_BELOW(model, tier, format, FORMAT, outputs, names, sums, array, bounds, bounds##_##FORMAT##_BELOW_MAX)
 #define ROW_BELOW(model, tier, format, FORMAT, outputs, names, sums, array, bounds, below)                             \
+    ROW_OF(model, tier, format, FORMAT, 2, "roughness n_dot_v", UNIT_FROM(bounds##_DOMAIN_LO), outputs, names, sums,   \
+           array, bounds, below)
+#define ROW_OF(model, tier, format, FORMAT, inputs, input_names, ranges, outputs, output_names, sums, array, bounds,   \
+               below)                                                                                                  \
     {#model,                                                                                                           \
      #tier,                                                                                                            \
      "lobe_" #model "_" #tier "_" #format,                                                                             \
      LOBE_##FORMAT,                                                                                                    \
-     2,                                                                                                                \
+     inputs,                                                                                                           \
      outputs,                                                                                                          \
-     "roughness n_dot_v",                                                                                              \
-     names,                                                                                                            \
+     input_names,                                                                                                      \
+     output_names,                                                                                                     \
      sums,                                                                                                             \
      model##_##tier##_##format,                                                                                        \
      array,                                                                                                            \
@@ -95,7 +142,9 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
      bounds##_##FORMAT##_MAX,                                                                                          \
      bounds##_##FORMAT##_RMS,                                                                                          \
      below,                                                                                                            \
-     bounds##_DOMAIN_LO},
+     ranges},
+/* Two inputs whose domain is [lo, 1]. */
+#define UNIT_FROM(lo) ((const lobe_range[]){{lo, 1.0, 0.0, 1.0}, {lo, 1.0, 0.0, 1.0}})
 #define DFG_F32(model, tier, bounds) ROW(model, tier, f32, F32, 2, "scale bias", 1, model##_##tier##_n_f32, bounds)
 #define DFG_Q30(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, model##_##tier##_n_q30, bounds)
 #define DFG_Q30_SCALAR(model, tier, bounds) ROW(model, tier, q30, Q30, 2, "scale bias", 1, NULL, bounds)
@@ -108,6 +157,17 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
 #define SH9_Q30(model, tier, bounds) ROW_SH9(model, tier, q30, Q30, model##_##tier##_n_q30, bounds)
 #define SH9_CONSTANT_F32(model, tier, bounds) ROW_SH9(model, tier, f32, F32, NULL, bounds)
 #define SH9_CONSTANT_Q30(model, tier, bounds) ROW_SH9(model, tier, q30, Q30, NULL, bounds)
+#define ROW_SPHERE(model, tier, format, FORMAT, array, bounds)                                                         \
+    ROW_OF(model, tier, format, FORMAT, 5, "roughness n_dot_v n_dot_l tangent2 sine", sphere_light_ranges, 1,          \
+           "radiance", 0, array, bounds, bounds##_##FORMAT##_BELOW_MAX)
+#define SPHERE_F32(model, tier, bounds) ROW_SPHERE(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
+#define SPHERE_Q30(model, tier, bounds) ROW_SPHERE(model, tier, q30, Q30, NULL, bounds)
+#define ROW_SPHERE_DIFFUSE(model, tier, format, FORMAT, array, bounds)                                                 \
+    ROW_OF(model, tier, format, FORMAT, 2, "n_dot_l sine", sphere_diffuse_ranges, 1, "irradiance", 0, array, bounds,   \
+           bounds##_##FORMAT##_MAX)
+#define SPHERE_DIFFUSE_F32(model, tier, bounds)                                                                        \
+    ROW_SPHERE_DIFFUSE(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
+#define SPHERE_DIFFUSE_Q30(model, tier, bounds) ROW_SPHERE_DIFFUSE(model, tier, q30, Q30, NULL, bounds)
 const lobe_entry lobe_entries[] = {
 #include "registry_rows.h"
 };
@@ -136,6 +196,17 @@ const lobe_entry *lobe_find_entry(const char *model, const char *tier, lobe_form
             return e;
     }
     return NULL;
+}
+
+int lobe_in_domain(const lobe_entry *entry, const lobe_value *in)
+{
+    int k;
+    for (k = 0; k < entry->inputs; k++) {
+        const double x = lobe_value_real(entry->format, in[k]);
+        if (!(x >= entry->ranges[k].lo && x <= entry->ranges[k].hi))
+            return 0;
+    }
+    return 1;
 }
 
 double lobe_value_real(lobe_format format, lobe_value value)

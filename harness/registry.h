@@ -5,7 +5,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
-enum { LOBE_MAX_INPUTS = 5, LOBE_MAX_OUTPUTS = 24 };
+enum { LOBE_MAX_INPUTS = 10, LOBE_MAX_OUTPUTS = 24 };
 
 typedef enum lobe_format { LOBE_F32, LOBE_Q30, LOBE_FORMATS } lobe_format;
 
@@ -15,6 +15,13 @@ typedef union lobe_value {
     int32_t q;
     uint32_t bits;
 } lobe_value;
+
+/* One input: its domain, where max and rms are promised, and what else may be asked for, where below_max is. Outside of
+ * that too a function is finite. */
+typedef struct lobe_range {
+    double lo, hi;
+    double least, most;
+} lobe_range;
 
 typedef struct lobe_entry {
     const char *model, *tier;
@@ -26,10 +33,10 @@ typedef struct lobe_entry {
     void (*call)(const lobe_value *in, lobe_value *out);
     /* The same over columns of n values; NULL where the library has no array version. */
     void (*array)(const lobe_value *const *in, lobe_value *const *out, size_t n);
-    int ops;          /* as design.md counts them */
-    double max, rms;  /* stated error where every input is at least domain_lo */
-    double below_max; /* stated maximum where an input is below domain_lo */
-    double domain_lo;
+    int ops;                  /* as design.md counts them */
+    double max, rms;          /* stated error where every input is in its domain */
+    double below_max;         /* stated maximum where an input is below, or above, its domain */
+    const lobe_range *ranges; /* one an input */
 } lobe_entry;
 
 extern const lobe_entry lobe_entries[];
@@ -45,6 +52,9 @@ lobe_format lobe_format_named(const char *name);
 
 /* The entry of that name; NULL where there is none. */
 const lobe_entry *lobe_find_entry(const char *model, const char *tier, lobe_format format);
+
+/* 1 where every input is in its domain. */
+int lobe_in_domain(const lobe_entry *entry, const lobe_value *in);
 
 /* The number that a value stands for. */
 double lobe_value_real(lobe_format format, lobe_value value);

@@ -1,9 +1,15 @@
 /* The rows of the registry, read several times with other meanings of DFG_F32 and its siblings.
  * A new tier is a line here, one in its case's tier_rows.h, and its model's bounds in registry.c.
+ * A model of another shape needs its own pair of macros, NAME_F32 and NAME_Q30, in three places: twice in registry.c
+ * (the functions that call it; its row, by ROW_OF, with a lobe_range an input) and in ports/count.c (its type); and its
+ * kernel's inputs are scalars, or structs S that LOBE_FN S_of makes of scalars (ports/kernels.awk). Everything else
+ * follows the row.
  *   columns: model, tier, prefix of the bounds in models/coeffs/MODEL_bounds.h
  *   DFG_F32, DFG_Q30: scale and bias, with an array version; DFG_Q30_SCALAR: without
  *   ENERGY_F32, ENERGY_Q30: E
- *   SH9_F32, SH9_Q30: nine coefficients, with an array version; SH9_CONSTANT_F32, SH9_CONSTANT_Q30: of no inputs */
+ *   SH9_F32, SH9_Q30: nine coefficients, with an array version; SH9_CONSTANT_F32, SH9_CONSTANT_Q30: of no inputs
+ *   SPHERE_F32, SPHERE_Q30: radiance of a sphere light, of five inputs
+ *   SPHERE_DIFFUSE_F32, SPHERE_DIFFUSE_Q30: its irradiance over pi, of two */
 DFG_F32(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_Q30(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_F32(split_sum, medium, LOBE_SPLIT_SUM_MEDIUM)
@@ -46,3 +52,15 @@ SH9_F32(diffuse_sh, zonal_low, LOBE_DIFFUSE_SH_ZONAL_LOW)
 SH9_Q30(diffuse_sh, zonal_low, LOBE_DIFFUSE_SH_ZONAL_LOW)
 SH9_CONSTANT_F32(diffuse_sh, lambert, LOBE_DIFFUSE_SH_LAMBERT)
 SH9_CONSTANT_Q30(diffuse_sh, lambert, LOBE_DIFFUSE_SH_LAMBERT)
+SPHERE_F32(sphere_light, low, LOBE_SPHERE_LIGHT_LOW)
+SPHERE_Q30(sphere_light, low, LOBE_SPHERE_LIGHT_LOW)
+SPHERE_F32(sphere_light, medium, LOBE_SPHERE_LIGHT_MEDIUM)
+SPHERE_Q30(sphere_light, medium, LOBE_SPHERE_LIGHT_MEDIUM)
+SPHERE_F32(sphere_light, high, LOBE_SPHERE_LIGHT_HIGH)
+SPHERE_Q30(sphere_light, high, LOBE_SPHERE_LIGHT_HIGH)
+SPHERE_DIFFUSE_F32(sphere_diffuse, low, LOBE_SPHERE_DIFFUSE_LOW)
+SPHERE_DIFFUSE_Q30(sphere_diffuse, low, LOBE_SPHERE_DIFFUSE_LOW)
+SPHERE_DIFFUSE_F32(sphere_diffuse, medium, LOBE_SPHERE_DIFFUSE_MEDIUM)
+SPHERE_DIFFUSE_Q30(sphere_diffuse, medium, LOBE_SPHERE_DIFFUSE_MEDIUM)
+SPHERE_DIFFUSE_F32(sphere_diffuse, exact, LOBE_SPHERE_DIFFUSE_EXACT)
+SPHERE_DIFFUSE_Q30(sphere_diffuse, exact, LOBE_SPHERE_DIFFUSE_EXACT)

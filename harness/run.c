@@ -76,14 +76,18 @@ static void print_case(const lobe_entry *e, const lobe_vectors *v, const lobe_pa
 
 static void print_part(const lobe_entry *e, const lobe_vectors *v, const lobe_part *part, int below)
 {
-    char domain[32];
+    char domain[160];
     double squares = 0.0;
     int k;
     if (part->rows == 0)
         return;
     for (k = 0; k <= e->outputs; k++)
         squares = part->squares[k] > squares ? part->squares[k] : squares;
-    snprintf(domain, sizeof domain, below ? "<%g" : "[%g,1]", e->domain_lo);
+    lobe_domain_text(e, domain, sizeof domain);
+    if (strchr(domain, 'x')) /* too long for a column: `list` has it */
+        strcpy(domain, below ? "beyond" : "domain");
+    else if (below)
+        snprintf(domain, sizeof domain, "<%g", e->ranges[0].lo);
     printf("%-14s %-9s %-6s %4d %-9s %7lu %-10.4g %-10.4g %-10.4g %-6s  ", e->model, e->tier,
            lobe_format_names[e->format], e->ops, domain, (unsigned long)part->rows, part->bound, part->worst,
            sqrt(squares / part->rows), part->passed == part->rows ? "ok" : "BROKEN");

@@ -76,7 +76,7 @@ LOBE_FN lobe_sphere lobe_sphere_of(lobe_real n_dot_v, lobe_real n_dot_l, lobe_re
  * the light shrinks, and the unit of cost. */
 LOBE_FN lobe_real lobe_sphere_light_punctual(lobe_real roughness, lobe_sphere light)
 {
-    const lobe_sphere s = lobe_sphere_clamped(light);
+    lobe_sphere s = lobe_sphere_clamped(light);
     LOBE_LET across = LOBE_R(4.0) * s.tangent2; /* of v + l */
     LOBE_LET v = s.n_dot_v;
     LOBE_LET a = lobe_sphere_alpha(roughness);
@@ -99,7 +99,7 @@ LOBE_FN lobe_real lobe_sphere_light_punctual(lobe_real roughness, lobe_sphere li
  * a ratio, and the divisor goes into its other term. */
 LOBE_FN lobe_real lobe_sphere_light_low(LOBE_COEFFS lobe_real roughness, lobe_sphere light)
 {
-    const lobe_sphere s = lobe_sphere_clamped(light);
+    lobe_sphere s = lobe_sphere_clamped(light);
     LOBE_LET across = LOBE_R(4.0) * s.tangent2; /* of v + l */
     LOBE_LET v = s.n_dot_v;
     LOBE_LET l = s.n_dot_l;
@@ -122,7 +122,7 @@ LOBE_FN lobe_real lobe_sphere_light_low(LOBE_COEFFS lobe_real roughness, lobe_sp
     LOBE_LET root_v = lobe_sqrt(a2 + b * (v * v));
     LOBE_LET m = lobe_sphere_mask(a2, b, v, root_v, z);
     LOBE_LET eq = s.versine * a2 * (q * q);
-    LOBE_LET y = eq * va * z / ((va * (t * t) + LOBE_SPHERE_LIGHT_LOW_C4 * eq) * m + LOBE_R(1e-36));
+    LOBE_LET y = lobe_saturate(eq * va * z / ((va * (t * t) + LOBE_SPHERE_LIGHT_LOW_C4 * eq) * m + LOBE_R(1e-36)));
     return y;
 }
 
@@ -130,7 +130,7 @@ LOBE_FN lobe_real lobe_sphere_light_low(LOBE_COEFFS lobe_real roughness, lobe_sp
  * bends to the plateau, before masking. */
 LOBE_FN lobe_real lobe_sphere_light_medium(LOBE_COEFFS lobe_real roughness, lobe_sphere light)
 {
-    const lobe_sphere s = lobe_sphere_clamped(light);
+    lobe_sphere s = lobe_sphere_clamped(light);
     LOBE_LET across = LOBE_R(4.0) * s.tangent2; /* of v + l */
     LOBE_LET v = s.n_dot_v;
     LOBE_LET l = s.n_dot_l;
@@ -158,7 +158,7 @@ LOBE_FN lobe_real lobe_sphere_light_medium(LOBE_COEFFS lobe_real roughness, lobe
     LOBE_LET knee = LOBE_SPHERE_LIGHT_MEDIUM_C4 * bottom + LOBE_SPHERE_LIGHT_MEDIUM_C5 * (vk * top);
     LOBE_LET bend = lobe_sqrt(vk * (vk * (bottom * bottom) + top * knee));
     LOBE_LET m = lobe_sphere_mask(a2, b, v, root_v, z);
-    LOBE_LET y = top * va * vk * z / (bend * m + LOBE_R(1e-36));
+    LOBE_LET y = lobe_saturate(top * va * vk * z / (bend * m + LOBE_R(1e-36)));
     return y;
 }
 

@@ -9,7 +9,7 @@
  * leaves out. The characteristic polynomial is x^3 - t x^2 + c x - d with d >= 0. */
 LOBE_FN lobe_real lobe_sphere_light_high(LOBE_COEFFS lobe_real roughness, lobe_sphere light)
 {
-    const lobe_sphere s = lobe_sphere_clamped(light);
+    lobe_sphere s = lobe_sphere_clamped(light);
     LOBE_LET across = LOBE_R(4.0) * s.tangent2; /* of v + l */
     LOBE_LET v = s.n_dot_v;
     LOBE_LET l = s.n_dot_l;

@@ -13,4 +13,5 @@ static const lobe_tier_bounds rows[] = {
 #include "tier_rows.h"
 };
 
-const lobe_vector_set lobe_diffuse_vectors = {1, lobe_diffuse_points, rows, (int)(sizeof rows / sizeof rows[0])};
+const lobe_vector_set lobe_diffuse_vectors = {
+    .seed = 1, .points = lobe_diffuse_points, .bounds = rows, .bound_count = (int)(sizeof rows / sizeof rows[0])};

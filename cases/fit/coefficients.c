@@ -86,8 +86,12 @@ static void put_head(FILE *f, const lobe_coefficients *c, uint64_t digest)
 {
     fprintf(f, "/* Generated, not edited: build/lobefit fit %s --tier %s\n", c->model, c->tier);
     fprintf(f, " * BRDF     %s\n * domain   %s\n * grid     %s\n", c->brdf, c->domain, c->grid);
-    fprintf(f, " * metric   %s\n * error    max %.4g at %.9g %.9g, rms %.4g, on that grid, in double;\n", c->metric,
-            c->max, c->at[0], c->at[1], c->rms);
+    fprintf(f, " * metric   %s\n", c->metric);
+    if (c->error)
+        fprintf(f, " * error    %s;\n", c->error);
+    else
+        fprintf(f, " * error    max %.4g at %.9g %.9g, rms %.4g, on that grid, in double;\n", c->max, c->at[0],
+                c->at[1], c->rms);
     fprintf(f, " *          what ships is measured on a finer one: %s_bounds.h\n", c->model);
     fprintf(f, " * seed     %" PRIu64 "%s\n", c->seed, c->seed ? "" : ", nothing in this fit is random");
     fprintf(f, " * kernel   %s in %s, digest %016" PRIx64 " */\n", c->kernel, c->source, digest);

@@ -18,6 +18,7 @@ typedef struct lobe_coefficients {
     const char *metric; /* what was made small */
     double max, rms;    /* of that metric on that grid, in double with the coefficients as written */
     double at[2];       /* where the maximum is */
+    const char *error;  /* the figures as text instead, where there are others; NULL: max, at and rms */
     uint64_t seed;
     const char *kernel; /* the function in source whose text is digested */
     const char *source;

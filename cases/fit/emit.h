@@ -26,6 +26,12 @@ int lobe_emit_ops(FILE *out);
 /* Operations of one tier; 0, or 2 where there is no such model or tier. */
 int lobe_emit_count(const char *model, const char *tier, lobe_op_count *count);
 
+/* Operations of a tier of sphere_light beyond a punctual light; 0, or 2 where there is no such tier. */
+int lobe_emit_count_sphere(const char *tier, lobe_op_count *count);
+
+/* Operations of a tier of sphere_diffuse; 0, or 2 where there is no such tier. */
+int lobe_emit_count_sphere_diffuse(const char *tier, lobe_op_count *count);
+
 /* The formula at one point in double: outputs are scale and bias, or E, or nine coefficients. Returns how many, or 0
  * where unknown. The model diffuse_shape is what of diffuse_sh is emitted as q30. */
 int lobe_emit_value(const char *model, const char *tier, const double *in, double *out);

@@ -8,7 +8,7 @@
 #include "digest.h"
 #include "sweep.h"
 
-#define POINTS_MAX 512
+#define POINTS_MAX 512 /* where a set does not say */
 #define ROW_MAX (LOBE_CASE_COLUMNS * 2 * 26)
 
 /* The rows as they stand in the file. */
@@ -40,10 +40,12 @@ static void write_head(FILE *f, const lobe_case *c, const lobe_tier_bounds *b, i
     for (k = 0; k < c->output_count; k++)
         fprintf(f, " %s", c->outputs[k]);
     fprintf(f, "\n# brdf: %s\n# domain:", c->brdf);
-    for (k = 0; k < c->input_count; k++)
+    if (c->vectors->domain)
+        fprintf(f, " %s", below ? c->vectors->beyond : c->vectors->domain);
+    for (k = 0; k < c->input_count && !c->vectors->domain; k++)
         fprintf(f, " %s in [%.9g, %.9g]%s", c->inputs[k].name, below ? c->inputs[k].lo : b->domain_lo, c->inputs[k].hi,
                 k + 1 < c->input_count ? "," : "");
-    if (below)
+    if (below && !c->vectors->domain)
         fprintf(f, ", at least one below %.9g", b->domain_lo);
     fprintf(f, "\n# truth: %s; its own error is at most %s\n", c->integral, c->accuracy);
     fprintf(f, "# bound_max: %.9g\n", below ? b->below_max : b->max);
@@ -86,17 +88,19 @@ static int write_file(const lobe_case *c, const lobe_tier_bounds *b, int below, 
 static int write_group(const lobe_case *c, const lobe_tier_bounds *b, int below, const char *folder,
                        const lobe_sweep_options *options, char *error, size_t error_size)
 {
+    const size_t room = c->vectors->rows ? c->vectors->rows : POINTS_MAX;
+    const char *suffix = !below ? "" : c->vectors->domain ? ".beyond" : ".below";
     char path[4096];
-    double *in = malloc(POINTS_MAX * LOBE_CASE_COLUMNS * sizeof *in);
-    double *out = malloc(POINTS_MAX * LOBE_CASE_COLUMNS * sizeof *out);
+    double *in = malloc(room * LOBE_CASE_COLUMNS * sizeof *in);
+    double *out = malloc(room * LOBE_CASE_COLUMNS * sizeof *out);
     char *text = NULL;
     size_t n, length = 0;
     int status = 2;
-    if (snprintf(path, sizeof path, "%s/%s.%s.%s%s.vec", folder, c->name, b->tier, b->format, below ? ".below" : "") >=
+    if (snprintf(path, sizeof path, "%s/%s.%s.%s%s.vec", folder, c->name, b->tier, b->format, suffix) >=
         (int)sizeof path) {
         snprintf(error, error_size, "vectors: the folder's name is too long");
     } else if (in && out) {
-        n = c->vectors->points(b->domain_lo, below, c->vectors->seed, in, POINTS_MAX);
+        n = c->vectors->points(b->domain_lo, below, c->vectors->seed, in, room);
         lobe_sweep(c->truth, in, c->input_count, out, c->output_count, n, options);
         text = rows_text(c, in, out, n, &length);
         if (text)
@@ -113,6 +117,7 @@ static int write_group(const lobe_case *c, const lobe_tier_bounds *b, int below,
 int lobe_vectors_write(const struct lobe_case *self, const char *folder, const struct lobe_sweep_options *options,
                        char *error, size_t error_size)
 {
+    const lobe_case *c = self->vectors->columns ? self->vectors->columns : self;
     int i, status, found = 0;
     error[0] = '\0';
     errno = 0;
@@ -122,9 +127,9 @@ int lobe_vectors_write(const struct lobe_case *self, const char *folder, const s
             continue;
         if (!found++ && mkdir(folder, 0777) != 0 && errno != EEXIST)
             return refuse(error, error_size, folder, "cannot make the folder");
-        status = write_group(self, b, 0, folder, options, error, error_size);
+        status = write_group(c, b, 0, folder, options, error, error_size);
         if (!status && b->below_max > 0)
-            status = write_group(self, b, 1, folder, options, error, error_size);
+            status = write_group(c, b, 1, folder, options, error, error_size);
         if (status)
             return status;
     }

@@ -27,10 +27,15 @@ typedef struct lobe_vector_set {
     lobe_points_fn points;
     const lobe_tier_bounds *bounds; /* rows of other models are passed over */
     int bound_count;
+    /* The rest is for a case whose vectors have other columns than its truth, or a domain that is not [domain_lo, 1]
+     * of every input; then what lies outside is .beyond.vec instead of .below.vec. */
+    const struct lobe_case *columns; /* NULL: the case itself */
+    const char *domain, *beyond;     /* as text */
+    size_t rows;                     /* at most; 0: 512 */
 } lobe_vector_set;
 
-/* Writes folder/MODEL.TIER.FORMAT.vec, and .below.vec beside it, for every tier and format; each appears whole or not
- * at all. 0, or 2 with the reason in error. */
+/* Writes folder/MODEL.TIER.FORMAT.vec, and .below.vec (or .beyond.vec) beside it, for every tier and format; each
+ * appears whole or not at all. 0, or 2 with the reason in error. */
 int lobe_vectors_write(const struct lobe_case *self, const char *folder, const struct lobe_sweep_options *options,
                        char *error, size_t error_size);
 

@@ -18,7 +18,7 @@ typedef struct lobe_sphere_cells {
 /* The view of a cell, in degrees. */
 double lobe_sphere_cell_view(const lobe_sphere_cells *cells, int cell);
 
-/* false: no memory. The truth takes some ten seconds on one processor. */
+/* false: no memory. The truth takes some ten seconds on one processor, and is kept in build/truth. */
 bool lobe_sphere_cells_make(lobe_sphere_cells *cells, bool held, bool mixed, const lobe_sweep_options *options);
 void lobe_sphere_cells_free(lobe_sphere_cells *cells);
 

@@ -1,7 +1,23 @@
 #include "judge.h"
 #include <math.h>
+#include <stdlib.h>
 
 void lobe_sphere_judge(const lobe_sphere_candidate *candidate, const lobe_sphere_cells *cells, lobe_sphere_score *score)
+{
+    static const lobe_sphere_score nothing;
+    double *values = malloc(LOBE_SPHERE_COUNT * sizeof *values);
+    int i;
+    *score = nothing;
+    score->all = score->view60 = score->view75 = NAN; /* where there is no memory */
+    if (!values)
+        return;
+    for (i = 0; i < LOBE_SPHERE_COUNT; i++)
+        values[i] = candidate->call(cells->in + 5 * i);
+    lobe_sphere_judge_values(values, cells, score);
+    free(values);
+}
+
+void lobe_sphere_judge_values(const double *values, const lobe_sphere_cells *cells, lobe_sphere_score *score)
 {
     double all = 0, view60 = 0, view75 = 0;
     int cell, i, count60 = 0, count75 = 0;
@@ -10,7 +26,7 @@ void lobe_sphere_judge(const lobe_sphere_candidate *candidate, const lobe_sphere
         const double view = lobe_sphere_cell_view(cells, cell);
         double error = 0, truth = 0, sum = 0, true_sum = 0, square, energy;
         for (i = cell * LOBE_SPHERE_POSITIONS; i < (cell + 1) * LOBE_SPHERE_POSITIONS; i++) {
-            const double y = candidate->call(cells->in + 5 * i), t = cells->truth[i];
+            const double y = values[i], t = cells->truth[i];
             error += (y - t) * (y - t);
             truth += t * t;
             sum += y;

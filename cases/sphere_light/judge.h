@@ -15,6 +15,9 @@ typedef struct lobe_sphere_score {
 void lobe_sphere_judge(const lobe_sphere_candidate *candidate, const lobe_sphere_cells *cells,
                        lobe_sphere_score *score);
 
+/* The same of values that are there already, a row of the cells each. */
+void lobe_sphere_judge_values(const double *values, const lobe_sphere_cells *cells, lobe_sphere_score *score);
+
 /* How much worse than base in a cell with sin(half angle) / alpha < 1/2, at most; not below 0. */
 double lobe_sphere_excess(const lobe_sphere_score *score, const lobe_sphere_score *base,
                           const lobe_sphere_cells *cells);

@@ -54,6 +54,27 @@ for f in "$work"/a/*.vec; do
 done
 result $good "outputs are what lobefit truth says"
 
+# sphere_light: other columns than its truth takes, and .beyond for what is outside on either side.
+"$lobefit" vectors sphere_light --out "$work/s" && [ "$(ls "$work/s" | wc -l)" -eq 12 ]
+status=$?
+for f in "$work"/s/*.vec; do
+    case $f in *.beyond.vec) rows=256 ;; *) rows=1024 ;; esac
+    [ "$(grep -vc '^#' "$f")" -eq $rows ] || status=1
+    for key in model tier format inputs outputs brdf domain truth bound_max command seed digest; do
+        [ "$(grep -c "^# $key: ." "$f")" -eq 1 ] || { status=1; echo "# $f: key $key"; }
+    done
+done
+result $status "sphere_light: three tiers in two formats, inside and beyond, with whole heads"
+
+# Rows of every kind as roughness, heights, azimuth and half angle.
+grep -hv '^#' "$work/s/sphere_light.low.f32.vec" "$work/s/sphere_light.low.f32.beyond.vec" | awk 'NR % 9 == 1' > "$work/rows"
+awk '{ sv = sqrt(1 - $2 * $2); sl = sqrt(1 - $3 * $3); hi = (sv + sl) ^ 2 / 4 - $4; lo = $4 - (sv - sl) ^ 2 / 4
+       printf "%.17g %.17g %.17g %.17g %.17g\n", $1, $2, $3, 2 * atan2(sqrt(hi > 0 ? hi : 0), sqrt(lo > 0 ? lo : 0)),
+              atan2($5, sqrt(1 - $5 * $5)) }' "$work/rows" | sed 's/3\.14159265358979[0-9]*/3.141592653589793/' |
+    "$lobefit" truth sphere_light > "$work/truth" && paste -d' ' "$work/rows" "$work/truth" |
+    awk '{ n++; d = $6 - $7; if (d < 0) d = -d; if (d > 1e-6 * $7) bad = 1 } END { exit bad || n < 100 }'
+result $? "sphere_light: outputs are what lobefit truth says at the angles"
+
 : > "$work/file"
 "$lobefit" vectors split_sum --out "$work/file/x" > "$work/out" 2> "$work/err"
 [ $? -eq 2 ] && [ ! -s "$work/out" ] && grep -q "file/x: cannot make the folder" "$work/err"

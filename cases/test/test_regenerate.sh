@@ -44,6 +44,11 @@ for threads in 1 2; do
     "$lobefit" fit diffuse_sh --out "$work" --threads $threads
     same "diffuse_sh, $threads threads" coeffs/diffuse_sh_exact.h coeffs/diffuse_sh_low.h coeffs/diffuse_sh_medium.h \
         coeffs/diffuse_sh_zonal.h coeffs/diffuse_sh_zonal_low.h
+    "$lobefit" fit sphere_diffuse --out "$work" --threads $threads
+    same "sphere_diffuse, $threads threads" coeffs/sphere_diffuse_low.h coeffs/sphere_diffuse_medium.h
+    "$lobefit" fit sphere_light --out "$work" --threads $threads
+    same "sphere_light, $threads threads" coeffs/sphere_light_low.h coeffs/sphere_light_medium.h \
+        coeffs/sphere_light_high.h
     rm -rf "$work/coeffs" "$work/tables"
 done
 
@@ -63,8 +68,19 @@ same "diffuse_sh, bounds" coeffs/diffuse_sh_bounds.h
 "$lobefit" vectors diffuse_sh --out "$work/vectors" && status=0 || status=1
 for file in vectors/diffuse_sh.*.vec; do cmp "$file" "$work/$file" || status=1; done
 result $status "diffuse_sh, vectors"
+# Its bounds take two minutes and are left to make fit.
+"$lobefit" vectors sphere_light --out "$work/vectors" && status=0 || status=1
+for file in vectors/sphere_light.*.vec; do cmp "$file" "$work/$file" || status=1; done
+result $status "sphere_light, vectors"
+"$lobefit" bounds sphere_diffuse --out "$work"
+same "sphere_diffuse, bounds" coeffs/sphere_diffuse_bounds.h
+"$lobefit" vectors sphere_diffuse --out "$work/vectors" && status=0 || status=1
+for file in vectors/sphere_diffuse.*.vec; do cmp "$file" "$work/$file" || status=1; done
+result $status "sphere_diffuse, vectors"
 
 refused "fit of an unknown tier" "no fit of tier 'tiny'; there are: low" fit energy --tier tiny
+refused "fit of an unknown tier of a light" "sphere_light has no fit of tier 'tiny'; there are: low medium high" \
+    fit sphere_light --tier tiny
 refused "fit with an unknown option" "unknown option '--fast'" fit energy --fast
 refused "fit without a value" "tier needs a value" fit energy --tier
 refused "fit with no threads" "threads '0' is not a whole number" fit energy --threads 0

@@ -8,7 +8,6 @@
 #include "../split_sum/truth_split_sum.h"
 #include "../fit/random.h"
 #include "../sphere_light/candidates.h"
-#include "../sphere_light/truth_capsule.h"
 #include "../sphere_light/truth_sphere.h"
 
 static const double pi = 3.14159265358979323846;
@@ -155,44 +154,6 @@ static void irradiance(void **state)
     }
 }
 
-/* Against a line of spheres, which misses less the denser it is; and a short capsule is its sphere. */
-static void capsule_is_a_line_of_spheres(void **state)
-{
-    lobe_random r;
-    double coarse = 0, fine = 0, sphere = 0;
-    int i, k, used = 0;
-    (void)state;
-    lobe_random_seed(&r, 47, 0);
-    for (i = 0; i < 20; i++) {
-        const double a = .05 * pow(20, lobe_random_unit(&r)), v = cos(1.45 * lobe_random_unit(&r));
-        const double radius = .03 + .2 * lobe_random_unit(&r), s = sqrt(1 - v * v);
-        const double m[3] = {-.8 * s + .3 * lobe_random_unit(&r), .4 * lobe_random_unit(&r), v + .2};
-        const double length = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);
-        const lobe_sphere_scene dot = {a, v, m[2] / length, atan2(m[1], m[0]), asin(radius / length), 1};
-        double p[3], q[3], near[3], far[3], exact;
-        for (k = 0; k < 3; k++) {
-            const double e = lobe_random_unit(&r) - .5;
-            p[k] = m[k] - e;
-            q[k] = m[k] + e;
-            near[k] = m[k] - 1e-7 * e;
-            far[k] = m[k] + 1e-7 * e;
-        }
-        sphere =
-            fmax(sphere,
-                 fabs(lobe_truth_capsule(a, v, near, far, radius, 1e-7, 0) / lobe_truth_sphere_cone(&dot, 1e-7) - 1));
-        exact = lobe_truth_capsule(a, v, p, q, radius, 1e-6, 0);
-        if (!(exact > 1e-5))
-            continue;
-        used++;
-        coarse = fmax(coarse, fabs(lobe_truth_capsule(a, v, p, q, radius, 1e-6, 50) / exact - 1));
-        fine = fmax(fine, fabs(lobe_truth_capsule(a, v, p, q, radius, 1e-6, 200) / exact - 1));
-    }
-    print_message("# %d capsules: 50 spheres miss %.1e, 200 miss %.1e; a point capsule is a sphere within %.1e\n", used,
-                  coarse, fine, sphere);
-    assert_true(used >= 10);
-    assert_true(coarse <= .05 && fine <= coarse / 8 && sphere <= 1e-5);
-}
-
 /* point, low, medium and high where the light is small; high is a radiance, so at most 1. */
 static void forms_meet_the_punctual_light(void **state)
 {
@@ -225,7 +186,6 @@ int main(void)
         cmocka_unit_test(larger_is_never_darker),
         cmocka_unit_test(set_light_is_dark),
         cmocka_unit_test(irradiance),
-        cmocka_unit_test(capsule_is_a_line_of_spheres),
         cmocka_unit_test(forms_meet_the_punctual_light),
     };
     return cmocka_run_group_tests_name("sphere_light truth", tests, NULL, NULL);

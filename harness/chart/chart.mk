@@ -54,3 +54,27 @@ $(CHART)/diffuse_sh.svg: $(CHART)/diffuse_sh.csv $(CHART)/diffuse.gp
 $(CHART)/%.svg: $(CHART)/%.csv $(CHART)/chart.gp
 	gnuplot -e 'in="$<"; out="$@.new.svg"; brdf="$*"; $(front_$*)heading="$(heading_$*)"' $(CHART)/chart.gp
 	mv $@.new.svg $@
+
+# sphere_light is judged on cells of its own; the published forms are judged by the offline side.
+chart: $(CHART)/sphere_light.svg
+
+$(B)/chart/sphere: $(CHART)/sphere.c harness/registry.c $(wildcard harness/*.h) $(B)/liblobe.a
+	@mkdir -p $(@D)
+	$(CC) $(ALL_CFLAGS) $(CHART)/sphere.c harness/registry.c $(B)/liblobe.a -lm -o $@
+
+$(B)/chart/sphere_light.cells: $(B)/lobefit
+	@mkdir -p $(@D)
+	$< search sphere_light --cells $@
+
+$(B)/chart/sphere_light.errors: $(B)/chart/sphere_light.cells $(B)/chart/sphere
+	$(B)/chart/sphere <$< >$@.new
+	mv $@.new $@
+
+$(CHART)/sphere_light.csv: $(B)/chart/sphere_light.errors cases/sphere_light/front.csv counts $(CHART)/sphere_join.awk
+	awk -f $(CHART)/sphere_join.awk $(B)/counts_x86.csv $(B)/counts_m4f.csv $(B)/counts_m0.csv \
+	    cases/sphere_light/front.csv $< >$@.new
+	mv $@.new $@
+
+$(CHART)/sphere_light.svg: $(CHART)/sphere_light.csv $(CHART)/sphere.gp
+	gnuplot -e 'in="$<"; out="$@.new.svg"' $(CHART)/sphere.gp
+	mv $@.new.svg $@

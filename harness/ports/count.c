@@ -69,6 +69,9 @@ typedef lobe_sh9_f32 sh9_f32(float, float);
 typedef lobe_sh9_q30 sh9_q30(int32_t, int32_t);
 typedef lobe_vec3_f32 radiance_f32(float, lobe_vec3_f32, lobe_vec3_f32, const lobe_lighting_f32 *);
 typedef lobe_vec3_q16 radiance_q30(int32_t, lobe_vec3_q30, lobe_vec3_q30, const lobe_lighting_q16 *);
+typedef float sphere_f32(float, lobe_sphere_f32);
+typedef lobe_scaled_q30 sphere_q30(int32_t, lobe_sphere_q30);
+typedef lobe_scaled_q30 sphere_diffuse_q30(int32_t, int32_t);
 
 typedef struct function {
     const char *model, *tier;
@@ -108,6 +111,12 @@ LOOP(sh9_q30, int32_t, AT(q).c[8])
         .x
 LOOP(radiance_f32, float, RADIANCE(f, 1.0f, f32))
 LOOP(radiance_q30, int32_t, RADIANCE(q, LOBE_ONE_Q30, q30))
+/* Half a radian, the light's centre 45 degrees up. */
+LOOP(sphere_f32, float,
+     called(roughness[i].f, (lobe_sphere_f32){n_dot_v[i].f, 0.70710678f, 0.1f, 0.47942554f, 0.12241744f}))
+LOOP(sphere_q30, int32_t,
+     called(roughness[i].q, (lobe_sphere_q30){n_dot_v[i].q, 759250125, 107374182, 514780862}).mantissa)
+LOOP(sphere_diffuse_q30, int32_t, called(roughness[i].q, n_dot_v[i].q).mantissa)
 
 /* Returns at once, whatever it is called as. One instruction; with its call two. */
 void nothing(void);
@@ -130,6 +139,11 @@ enum { CALL_AND_RETURN = 2 };
 #define SH9_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, sh9_q30, lobe_##model##_##tier##_q30)
 #define SH9_CONSTANT_F32(model, tier, bounds) SH9_F32(model, tier, bounds)
 #define SH9_CONSTANT_Q30(model, tier, bounds) SH9_Q30(model, tier, bounds)
+#define SPHERE_F32(model, tier, bounds) FUNCTION(#model, tier, F32, sphere_f32, lobe_##model##_##tier##_f32)
+#define SPHERE_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, sphere_q30, lobe_##model##_##tier##_q30)
+#define SPHERE_DIFFUSE_F32(model, tier, bounds) FUNCTION(#model, tier, F32, energy_f32, lobe_##model##_##tier##_f32)
+#define SPHERE_DIFFUSE_Q30(model, tier, bounds)                                                                        \
+    FUNCTION(#model, tier, Q30, sphere_diffuse_q30, lobe_##model##_##tier##_q30)
 #define SH9_RADIANCE(tier)                                                                                             \
     FUNCTION("diffuse_sh_radiance", tier, F32, radiance_f32, lobe_diffuse_sh_radiance_##tier##_f32)                    \
     FUNCTION("diffuse_sh_radiance", tier, Q30, radiance_q30, lobe_diffuse_sh_radiance_##tier##_q30)
@@ -138,10 +152,12 @@ enum { CALL_AND_RETURN = 2 };
 #define PEER_SH9(name) FUNCTION("peer", name, F32, sh9_f32, peer_##name##_f32)
 static const function functions[] = {
 #include "../registry_rows.h"
-    SH9_RADIANCE(exact) SH9_RADIANCE(medium) SH9_RADIANCE(low)
+    FUNCTION("sphere_light", punctual, F32, sphere_f32, lobe_sphere_light_punctual_f32)
+        FUNCTION("sphere_light", punctual, Q30, sphere_q30, lobe_sphere_light_punctual_q30) SH9_RADIANCE(exact)
+            SH9_RADIANCE(medium) SH9_RADIANCE(low)
 #if defined(LOBE_PEERS)
 #include "peer_rows.h"
-        FUNCTION("peer", zonal_2015_radiance, F32, radiance_f32, peer_zonal_2015_radiance_f32)
+                FUNCTION("peer", zonal_2015_radiance, F32, radiance_f32, peer_zonal_2015_radiance_f32)
 #endif
 };
 

@@ -2,8 +2,8 @@
 #
 #   awk -v want=list|glsl|cl|c [-v kernel=NAME] -f kernels.awk harness/registry_rows.h HEADER...
 #
-# A kernel is a LOBE_FN of scalars named lobe_MODEL_TIER, where the registry (the first file) has a row of that model
-# and tier in f32. Tables have no kernel: they are texture fetches; nor has a tier without inputs, a constant.
+# A kernel is a LOBE_FN named lobe_MODEL_TIER, where the registry (the first file) has a row of that model and tier in
+# f32; its inputs are scalars, or a struct S that LOBE_FN S_of makes of scalars, which are then the inputs. Tables have no kernel: they are texture fetches; nor has a tier without inputs, a constant.
 #   list  a line a kernel: name, number of inputs, number of outputs
 #   glsl  main of a compute shader for `kernel`; cl: an OpenCL kernel `run`; both go behind the shader text
 #   c     host wrappers over arrays and a table of them
@@ -49,6 +49,37 @@ function find_structs(s,    name, body, n, i, part) {
     }
 }
 
+# How many scalars S_of takes.
+function find_makers(s,    head, name, args) {
+    while (match(s, /LOBE_FN +lobe_[a-z0-9_]+ +lobe_[a-z0-9_]+_of\([^)]*\)/)) {
+        head = substr(s, RSTART, RLENGTH)
+        s = substr(s, RSTART + RLENGTH)
+        split(head, word, / +/)
+        name = word[3]
+        sub(/\(.*/, "", name)
+        args = head
+        sub(/[^(]*\(/, "", args)
+        if (name == word[2] "_of")
+            made[word[2]] = gsub(/lobe_real/, "", args)
+    }
+}
+
+# The types of a kernel's inputs into types_in; 0 where one cannot be made.
+function find_inputs(name, args,    n, i, part, scalars, word) {
+    sub(/LOBE_COEFFS/, "", args)
+    n = split(args, part, /,/)
+    for (i = 1; i <= n; i++) {
+        split(part[i], word, / +/)
+        type_in = word[1] != "" ? word[1] : word[2]
+        if (type_in != "lobe_real" && !(type_in in made))
+            return 0
+        types_in[name, i] = type_in
+        scalars += type_in == "lobe_real" ? 1 : made[type_in]
+    }
+    arguments[name] = n
+    return scalars
+}
+
 function find_kernels(s,    head, type, name, args, n) {
     while (match(s, /LOBE_FN +[a-z0-9_]+ +lobe_[a-z0-9_]+\([^)]*\)/)) {
         head = substr(s, RSTART, RLENGTH)
@@ -59,10 +90,11 @@ function find_kernels(s,    head, type, name, args, n) {
         sub(/\(.*/, "", name)
         args = head
         sub(/[^(]*\(/, "", args)
+        sub(/\).*/, "", args)
         if (!(name in registered) || (type != "lobe_real" && !(type in count)))
             continue
-        n = gsub(/lobe_real/, "", args)
-        if (n == 0 || index(args, "lobe_") > 0)
+        n = find_inputs(name, args)
+        if (n == 0)
             continue
         kernels++
         names[kernels] = name
@@ -72,9 +104,14 @@ function find_kernels(s,    head, type, name, args, n) {
     }
 }
 
-function call(name, x,    i, s) {
-    for (i = 0; i < inputs[name]; i++)
-        s = s (i ? ", " : "") sprintf(x, inputs[name], i)
+function call(name, x,    i, j, at, s, t) {
+    for (i = 1; i <= arguments[name]; i++) {
+        t = types_in[name, i]
+        s = s (i > 1 ? ", " : "") (t == "lobe_real" ? "" : t "_of(")
+        for (j = 0; j < (t == "lobe_real" ? 1 : made[t]); j++)
+            s = s (j ? ", " : "") sprintf(x, inputs[name], at++)
+        s = s (t == "lobe_real" ? "" : ")")
+    }
     return name "(" s ")"
 }
 
@@ -89,6 +126,7 @@ function body(name, x, y,    i, s, t) {
 END {
     text = uncomment(text)
     find_structs(text)
+    find_makers(text)
     find_kernels(text)
     if (want == "list")
         for (k = 1; k <= kernels; k++)

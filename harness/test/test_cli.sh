@@ -5,21 +5,34 @@
 lobecheck=$PWD/$B/lobecheck
 case $B in /*) lobecheck=$B/lobecheck ;; esac
 
-# Rows that are exact in both formats, inside every domain.
-points() { awk 'BEGIN { for (i = 1; i <= 16; i++) for (j = 1; j <= 16; j++) print i / 16, j / 16 }'; }
+# COLUMNS: rows that are exact in both formats, inside every domain of two inputs.
+points() {
+    awk -v n="$1" 'BEGIN { for (i = 1; i <= 16; i++) for (j = 1; j <= 16; j++) {
+        printf "%g %g", i / 16, j / 16
+        for (k = 2; k < n; k++) printf " %g", ((i * (2 * k - 1) + j * k) % 16 + 1) / 16
+        print "" } }'
+}
+
+# The mirror direction of lights of 30 degrees, as eval asks for them and as the function is asked.
+sphere_points() {
+    awk -v end="$1" 'BEGIN { for (i = 4; i <= 16; i++) for (j = 2; j <= 16; j++) print i / 16, j / 16, j / 16, end }'
+}
 
 # MODEL TIER FORMAT: a file whose truths are what the function answers, moved by $shift.
 answers() {
-    points >"$work/points"
-    "$lobecheck" eval "$1" --tier "$2" --format "$3" <"$work/points" >"$work/answers"
+    names=$("$lobecheck" list | awk -v model="$1" '$1 == model { print $9; exit }' | tr ',' ' ')
+    count=$(echo "${names%%->*}" | wc -w)
     case $1 in
-    energy) names=E ;;
-    diffuse_sh) names='c0 c1 c2 c3 c4 c5 c6 c7 c8' ;;
-    *) names='scale bias' ;;
+    sphere_light)
+        sphere_points '3.14159265358979324 0.523598775598298873' >"$work/asked"
+        sphere_points '0 0.5' >"$work/points"
+        ;;
+    *) points "$count" >"$work/points" && cp "$work/points" "$work/asked" ;;
     esac
+    "$lobecheck" eval "$1" --tier "$2" --format "$3" <"$work/asked" >"$work/answers"
     paste -d' ' "$work/points" "$work/answers" |
-        awk -v shift="${shift:-0}" '{ $3 = sprintf("%.9g", $3 + shift); print }' |
-        seal "$1" "$2" "$3" "$bound" 'roughness n_dot_v' "$names"
+        awk -v shift="${shift:-0}" -v at="$((count + 1))" '{ $at = sprintf("%.9g", $at + shift); print }' |
+        seal "$1" "$2" "$3" "$bound" "${names%%->*}" "${names##*->}"
 }
 
 says() { "$lobecheck" "$@" >"$work/out" && grep -qE "$pattern" "$work/out"; }
@@ -64,6 +77,29 @@ check 'a NUL byte' exits 2 '<stdin>:1: ' "$lobecheck" eval split_sum --tier low 
 awk 'BEGIN { for (i = 0; i < 5000; i++) printf " "; print "" }' >"$work/in"
 check 'an endless line' exits 2 '<stdin>:1: a line of more than' \
     "$lobecheck" eval split_sum --tier low --format f32
+# A sphere light is asked for by angles: an even function of the azimuth, brightest on the mirror's side; the half angle
+# of a hemisphere is the most; anything is answered.
+sphere() { "$lobecheck" eval sphere_light --tier high --format "$1" <"$work/in" >"$work/out"; }
+for format in f32 q30; do
+    printf '%s\n' '.5 .7 .6 3 .2' '.5 .7 .6 -3 .2' '.5 .7 .6 3.28318530717958648 .2' '.5 .7 .6 0 .2' '.5 .7 .6 3.14159265 .2' \
+        '.5 .7 .6 3 1.5707963267948966' '.5 .7 .6 3 3' '.5 1 1 0 .2' '.5 1 1 2 .2' '.5 .7 .6 3 0' >"$work/in"
+    sphere $format
+    check "eval of a sphere light knows its angles in $format" awk '{ y[NR] = $1 + 0 }
+        function near(a, b) { return a - b < 2e-6 && b - a < 2e-6 }
+        END { exit !(NR == 10 && near(y[1], y[2]) && near(y[1], y[3]) && y[4] < .1 * y[5] && y[5] > y[1] && y[6] == y[7] &&
+              y[6] > y[1] && near(y[8], y[9]) && y[10] < 1e-9 && y[1] > .1) }' "$work/out"
+    # the mirror direction of a small light: 2 pi (1 - cos) D V l is versine / (2 a2 sqrt(a2 + (1 - a2) v^2)) there
+    echo '.5 .6 .6 3.14159265358979324 .001' >"$work/in"
+    sphere $format
+    check "and its scale in $format" awk '{ want = 5e-7 / (2 * .0625 * sqrt(.0625 + .9375 * .36))
+        print $1, want; exit !($1 > .99 * want && $1 < 1.01 * want) }' "$work/out"
+    printf '%s\n' 'nan nan nan nan nan' 'inf -inf inf -inf inf' '-1 2 -3 1e300 -7' '.5 nan .5 0 .5' '.5 .5 .5 .5 nan' >"$work/in"
+    sphere $format
+    check "and any number in $format" awk '$1 >= 0 && $1 <= 1 && $1 !~ /[a-z]/ || /e-/ { n++ } END { exit n != 5 }' "$work/out"
+done
+printf '.5 .7 .6 3\n' >"$work/in"
+check 'a short row of a sphere light' exits 2 'a row of sphere_light has 5: roughness n_dot_v n_dot_l azimuth half_angle' \
+    "$lobecheck" eval sphere_light --tier low --format f32
 : >"$work/in"
 check 'no rows, no answers' exits 0 '' "$lobecheck" eval split_sum --tier low --format f32
 check 'unknown model' exits 2 "unknown model 'nothing'; allowed: split_sum" \
@@ -85,16 +121,19 @@ check 'a folder without vectors' sh -c "cd '$work' && ! '$lobecheck' run 2>err &
 "$lobecheck" list | awk '!/^#/ { print $1, $2, $3, $5 }' >"$work/entries"
 while read -r model tier format max; do
     bound=$max shift=0 answers $model $tier $format >"$work/good.vec"
-    shift=$(awk -v m="$max" 'BEGIN { print m < 0.25 ? 3 * m : 0.75 }')
+    shift=$(awk -v m="$max" 'BEGIN { print m < 0.25 ? 3 * m : (1 + m) / 2 }')
     bound=1 answers $model $tier $format >"$work/moved.vec"
     bound=1e-12 shift=0.00001 answers $model $tier $format >"$work/tight.vec"
     shift=0
     check "$model $tier $format passes its own answers" exits 0 '' "$lobecheck" run "$work/good.vec"
     check "$model $tier $format fails a moved truth" exits 1 '' "$lobecheck" run "$work/moved.vec"
     check 'and the row says BROKEN, with the case in hex' \
-        grep -qE 'BROKEN.* at .*\([0-9a-f]{8} [0-9a-f]{8}\): got .*want .*0x' "$work/out"
+        grep -qE 'BROKEN.* at .*\([0-9a-f]{8}( [0-9a-f]{8})+\): got .*want .*0x' "$work/out"
     check "$model $tier $format fails a bound that is too small" exits 1 '' "$lobecheck" run "$work/tight.vec"
 done <"$work/entries"
+bound=1 answers split_sum low f32 >"$work/good.vec"
+bound=1 shift=0.75 answers split_sum low f32 >"$work/moved.vec"
+shift=0
 check 'one broken file of two' exits 1 '' "$lobecheck" run "$work/moved.vec" "$work/good.vec"
 check 'and both have their row' sh -c "[ \$(wc -l <'$work/out') -eq 3 ]"
 check 'one malformed file of two' exits 2 'missing.vec' "$lobecheck" run missing.vec "$work/moved.vec" "$work/good.vec"

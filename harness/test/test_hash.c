@@ -15,7 +15,9 @@ static void counted(const lobe_value *in, lobe_value *out)
     calls++;
 }
 
-static const lobe_entry entry = {"m", "t", "counted", LOBE_F32, 2, 3, "a b", "c d e", 0, counted, NULL, 1, 1, 1, 1, 0};
+static const lobe_range units[] = {{0, 1, 0, 1}, {0, 1, 0, 1}};
+static const lobe_entry entry = {"m", "t",     "counted", LOBE_F32, 2, 3, "a b", "c d e",
+                                 0,   counted, NULL,      1,        1, 1, 1,     units};
 
 static uint64_t hash_with(uint32_t at, uint32_t output, uint32_t bits)
 {
@@ -96,6 +98,38 @@ static void integer_inputs(void **state)
     assert_true(inside > LOBE_HASH_COUNT * 9 / 10);
 }
 
+/* An input that has a sign gets both, and the same spread on each side; nine inputs are nine streams. */
+static void signs_and_many_inputs(void **state)
+{
+    static const lobe_range ranges[9] = {{0, 1, 0, 1}, {-1, 1, -1, 1}, {0, 1, 0, 1}, {0, 1, 0, 1},  {0, 1, 0, 1},
+                                         {0, 1, 0, 1}, {0, 1, 0, 1},   {0, 1, 0, 1}, {-1, 1, -1, 1}};
+    lobe_entry many = entry;
+    int format, j, k;
+    (void)state;
+    many.inputs = 9;
+    many.ranges = ranges;
+    for (format = 0; format < LOBE_FORMATS; format++) {
+        int quarter[4] = {0}, same = 0;
+        uint32_t i;
+        many.format = (lobe_format)format;
+        for (i = 256; i < 256 + 16 * 1000; i++) {
+            lobe_value in[LOBE_MAX_INPUTS], next[LOBE_MAX_INPUTS];
+            if (i % 16 >= 14)
+                continue;
+            lobe_hash_inputs(&many, i, in);
+            lobe_hash_inputs(&many, i + 1, next);
+            assert_true(lobe_value_real(many.format, in[0]) >= 0.0);
+            quarter[(int)(lobe_value_real(many.format, in[8]) * 2.0 + 2.0)]++;
+            for (j = 0; j < 9; j++)
+                for (k = 0; k < 9; k++)
+                    same += (j != k && in[j].bits == in[k].bits) || in[j].bits == next[k].bits;
+        }
+        for (k = 0; k < 4; k++)
+            assert_in_range(quarter[k], 3300, 3700); /* 3500 expected, 51 is one standard deviation */
+        assert_true(same < 20);                      /* 17 in 2^24 by chance */
+    }
+}
+
 /* Both halves of the unit interval, and the whole of it, are met about equally often. */
 static void inputs_are_spread(void **state)
 {
@@ -117,8 +151,9 @@ static void inputs_are_spread(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(sees_every_bit), cmocka_unit_test(is_fnv1a_of_the_outputs), cmocka_unit_test(float_inputs),
-        cmocka_unit_test(integer_inputs), cmocka_unit_test(inputs_are_spread),
+        cmocka_unit_test(sees_every_bit),    cmocka_unit_test(is_fnv1a_of_the_outputs),
+        cmocka_unit_test(float_inputs),      cmocka_unit_test(integer_inputs),
+        cmocka_unit_test(inputs_are_spread), cmocka_unit_test(signs_and_many_inputs),
     };
     return cmocka_run_group_tests_name("hash", tests, NULL, NULL);
 }

@@ -9,9 +9,14 @@ check 'there are tiers' [ -s "$work/tiers" ]
 comment() {
     awk -v name=" $1(" '/^\/\*/ { text = "" } { line = $0 } /^ ?\/?\*/ { text = text " " $0 } index(" " line, name) { print text; exit }' models/lobe.h
 }
+# cells MODEL TIER: what is stated of scenes, where a model is judged by them
+cells() {
+    prefix=$(printf 'LOBE_%s_%s_F32_CELLS' "$1" "$2" | tr '[:lower:]' '[:upper:]')
+    sed -n "s/^#define $prefix\([A-Z0-9_]*\) /cells\1:/p" "models/coeffs/${1}_bounds.h" | grep -v 'EXCESS:0$'
+}
 while read -r model tier ops max below; do
     comment "lobe_${model}_${tier}_f32" >"$work/comment"
-    for figure in "max:$max" "ops:$ops" "below:$below"; do
+    for figure in "max:$max" "ops:$ops" "below:$below" $(cells "$model" "$tier"); do
         value=${figure#*:}
         # a table's stand in one comment for all, without what is below
         case $tier:$figure in table*:below:*) continue ;; esac

@@ -11,8 +11,9 @@ static void fixed(const lobe_value *in, lobe_value *out)
     out[1].f = answer[1];
 }
 
+static const lobe_range ranges[] = {{0.125, 1, 0, 1}, {0.125, 1, 0, 1}};
 static const lobe_entry entry = {"m", "t",   "fixed", LOBE_F32, 2,    2,   "a b", "c d",
-                                 1,   fixed, NULL,    1,        0.25, 0.1, 0.5,   0.125};
+                                 1,   fixed, NULL,    1,        0.25, 0.1, 0.5,   ranges};
 /* Three rows: two inside the domain, and one below it. */
 static const uint32_t inputs[] = {0x3f000000, 0x3f000000, 0x3f800000, 0x3e000000, 0x3f800000, 0x3d800000};
 static const double truths[] = {0.5, 0.25, 0.5, 0.25, 0.5, 0.25};
@@ -114,6 +115,27 @@ static void holds_the_furnace_to_its_bound(void **state)
     assert_int_equal(v.inside.passed, 0);
 }
 
+/* Either end of either input may be where the domain ends; the ends belong to it. */
+static void knows_the_domain(void **state)
+{
+    static const struct {
+        float a, b;
+        int in;
+    } places[] = {{0.125f, 0.125f, 1}, {1.0f, 0.75f, 1},      {0.1249f, 0.5f, 0}, {0.5f, 0.1249f, 0},
+                  {1.0001f, 0.5f, 0},  {0.5f, 0.7500001f, 0}, {0.5f, -1.0f, 0},   {__builtin_nanf(""), 0.5f, 0}};
+    static const lobe_range narrow[] = {{0.125, 1, 0, 1}, {0.125, 0.75, 0, 1}};
+    lobe_entry e = entry;
+    size_t i;
+    (void)state;
+    e.ranges = narrow;
+    for (i = 0; i < sizeof places / sizeof places[0]; i++) {
+        lobe_value in[2];
+        in[0].f = places[i].a;
+        in[1].f = places[i].b;
+        assert_int_equal(lobe_in_domain(&e, in), places[i].in);
+    }
+}
+
 static void converts_numbers(void **state)
 {
     (void)state;
@@ -133,13 +155,10 @@ static void converts_numbers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(passes_at_the_bound),
-        cmocka_unit_test(breaks_beyond_it),
-        cmocka_unit_test(holds_the_sum_to_the_bound),
-        cmocka_unit_test(breaks_on_nan_and_infinity),
-        cmocka_unit_test(the_smaller_bound_holds),
-        cmocka_unit_test(converts_numbers),
-        cmocka_unit_test(holds_the_furnace_to_its_bound),
+        cmocka_unit_test(passes_at_the_bound),        cmocka_unit_test(breaks_beyond_it),
+        cmocka_unit_test(holds_the_sum_to_the_bound), cmocka_unit_test(breaks_on_nan_and_infinity),
+        cmocka_unit_test(the_smaller_bound_holds),    cmocka_unit_test(knows_the_domain),
+        cmocka_unit_test(converts_numbers),           cmocka_unit_test(holds_the_furnace_to_its_bound),
     };
     return cmocka_run_group_tests_name("judge", tests, NULL, NULL);
 }

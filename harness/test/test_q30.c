@@ -85,14 +85,15 @@ static void small_numbers(void **state)
     }
 }
 
-/* No tier is left out: every q30 entry that is a formula has its line above (nine outputs: test_diffuse_sh.c). */
+/* No tier is left out: every q30 entry that is a formula has its line above (nine outputs: test_diffuse_sh.c; lights
+ * have tests of their own). */
 static void every_tier_is_here(void **state)
 {
     size_t i, k, found = 0, wanted = 0;
     (void)state;
     for (i = 0; i < lobe_entry_count; i++) {
         const lobe_entry *e = &lobe_entries[i];
-        if (e->format != LOBE_Q30 || e->tier[0] == 't' || e->outputs == 9)
+        if (e->format != LOBE_Q30 || e->tier[0] == 't' || !(e->sums || lobe_same(e->model, "energy")))
             continue;
         wanted++;
         for (k = 0; k < sizeof formulas / sizeof formulas[0]; k++)

@@ -54,47 +54,84 @@ static void check_outputs(const lobe_entry *e, const lobe_value *in)
     }
     if (e->sums)
         good &= sum_f >= 0.0f && sum_f <= 1.0f && sum_q >= 0 && sum_q <= 1 << 30;
-    if (!good)
-        fail_msg("%s at %08x %08x gives %08x %08x", e->kernel, (unsigned)in[0].bits, (unsigned)in[1].bits,
-                 (unsigned)out[0].bits, e->outputs > 1 ? (unsigned)out[1].bits : 0u);
+    if (good)
+        return;
+    for (k = 0; k < e->inputs; k++)
+        print_error("input %d: %08x\n", k, (unsigned)in[k].bits);
+    fail_msg("%s gives %08x %08x", e->kernel, (unsigned)out[0].bits, e->outputs > 1 ? (unsigned)out[1].bits : 0u);
+}
+
+/* What the other inputs are while two of them are looked at; with two inputs there are no others. */
+enum { OTHERS = 12 };
+
+static void others(const lobe_entry *e, uint32_t which, lobe_value *in)
+{
+    lobe_hash_inputs(e, 256 + 16 * which + (which & 1 ? 14 : 0), in);
+}
+
+/* Calls visit for every pair of inputs, with everything that the others are. */
+static void for_pairs(const lobe_entry *e, void (*visit)(const lobe_entry *e, lobe_value *in, int j, int k))
+{
+    lobe_value in[LOBE_MAX_INPUTS];
+    uint32_t which;
+    int j, k;
+    for (j = 0; j < e->inputs; j++) {
+        for (k = j + 1; k < e->inputs; k++) {
+            for (which = 0; which < (e->inputs > 2 ? OTHERS : 1); which++) {
+                others(e, which, in);
+                visit(e, in, j, k);
+            }
+        }
+    }
+}
+
+static void visit_specials(const lobe_entry *e, lobe_value *in, int j, int k)
+{
+    const size_t n = e->format == LOBE_F32 ? sizeof floats / sizeof floats[0] : sizeof integers / sizeof integers[0];
+    size_t a, b;
+    for (a = 0; a < n; a++) {
+        for (b = 0; b < n; b++) {
+            in[j].bits = e->format == LOBE_F32 ? floats[a] : (uint32_t)integers[a];
+            in[k].bits = e->format == LOBE_F32 ? floats[b] : (uint32_t)integers[b];
+            check_outputs(e, in);
+        }
+    }
 }
 
 static void special_numbers(void **state)
 {
-    const size_t nf = sizeof floats / sizeof floats[0], nq = sizeof integers / sizeof integers[0];
-    size_t i, a, b;
+    size_t i;
     (void)state;
-    for (i = 0; i < lobe_entry_count; i++) {
-        const lobe_entry *e = &lobe_entries[i];
-        const size_t n = e->format == LOBE_F32 ? nf : nq;
-        for (a = 0; a < n; a++) {
-            for (b = 0; b < n; b++) {
-                lobe_value in[LOBE_MAX_INPUTS];
-                in[0].bits = e->format == LOBE_F32 ? floats[a] : (uint32_t)integers[a];
-                in[1].bits = e->format == LOBE_F32 ? floats[b] : (uint32_t)integers[b];
-                check_outputs(e, in);
-            }
+    for (i = 0; i < lobe_entry_count; i++)
+        for_pairs(&lobe_entries[i], visit_specials);
+}
+
+static lobe_value at(const lobe_entry *e, int k, double part)
+{
+    const lobe_range *r = &e->ranges[k];
+    return lobe_value_nearest(e->format, r->least + (r->most - r->least) * part);
+}
+
+static void visit_grid(const lobe_entry *e, lobe_value *in, int j, int k)
+{
+    const int step = e->inputs > 2 ? 17 : 1;
+    int a, b;
+    for (a = -7; a <= 707; a += step) {
+        for (b = -7; b <= 707; b += step) {
+            in[j] = at(e, j, a / 700.0);
+            in[k] = at(e, k, b / 700.0);
+            check_outputs(e, in);
         }
     }
 }
 
-/* A grid whose step is not a power of two, a margin outside the domain included. */
+/* A grid whose step is not a power of two, a margin outside the range included. */
 static void dense_sweep(void **state)
 {
     size_t i;
-    int a, b;
     (void)state;
-    for (i = 0; i < lobe_entry_count; i++) {
-        const lobe_entry *e = &lobe_entries[i];
-        for (a = -7; a <= 707; a++) {
-            for (b = -7; b <= 707; b++) {
-                lobe_value in[LOBE_MAX_INPUTS];
-                in[0] = lobe_value_nearest(e->format, a / 700.0);
-                in[1] = lobe_value_nearest(e->format, b / 700.0);
-                check_outputs(e, in);
-            }
-        }
-    }
+    for (i = 0; i < lobe_entry_count; i++)
+        for_pairs(&lobe_entries[i], visit_grid);
 }
 
 static void any_bits(void **state)
@@ -111,32 +148,43 @@ static void any_bits(void **state)
     }
 }
 
-/* What the interface promises: out of domain is clamped to it, NaN counts as 0. */
-static void clamped_to_the_domain(void **state)
+static void compare_with_edge(const lobe_entry *e, lobe_value *in, int k, lobe_value value, double edge)
 {
-    static const uint32_t pairs[][2] = {{0x7fc00000, 0x00000000}, {0xffc00000, 0x00000000}, {0xbf800000, 0x00000000},
-                                        {0xff800000, 0x00000000}, {0x7f800000, 0x3f800000}, {0x7f7fffff, 0x3f800000},
-                                        {0x3f800001, 0x3f800000}, {0x80000000, 0x00000000}};
-    static const int32_t ends[][2] = {{INT32_MIN, 0}, {-1, 0}, {INT32_MAX, 1 << 30}, {(1 << 30) + 1, 1 << 30}};
+    lobe_value outside[LOBE_MAX_OUTPUTS], inside[LOBE_MAX_OUTPUTS];
+    int o;
+    in[k] = value;
+    e->call(in, outside);
+    in[k] = lobe_value_nearest(e->format, edge);
+    e->call(in, inside);
+    for (o = 0; o < e->outputs; o++)
+        if (lobe_value_real(e->format, outside[o]) != lobe_value_real(e->format, inside[o]))
+            fail_msg("%s: input %d outside (%08x) is not clamped to its edge", e->kernel, k, (unsigned)value.bits);
+}
+
+/* What the interface promises: out of range is clamped to it, NaN counts as the lower end. The other inputs are alike,
+ * or anything. */
+static void clamped_to_the_range(void **state)
+{
+    const size_t nf = sizeof floats / sizeof floats[0], nq = sizeof integers / sizeof integers[0];
     size_t i, p;
-    int k, place, b;
+    uint32_t which;
+    int k, o;
     (void)state;
     for (i = 0; i < lobe_entry_count; i++) {
         const lobe_entry *e = &lobe_entries[i];
-        const int f32 = e->format == LOBE_F32;
-        for (p = 0; p < (f32 ? sizeof pairs / sizeof pairs[0] : sizeof ends / sizeof ends[0]); p++) {
-            for (place = 0; place < 2; place++) {
-                for (b = 0; b <= 16; b++) {
-                    lobe_value in[LOBE_MAX_INPUTS], outside[LOBE_MAX_OUTPUTS], edge[LOBE_MAX_OUTPUTS];
-                    in[1 - place] = lobe_value_nearest(e->format, b / 16.0);
-                    in[place].bits = f32 ? pairs[p][0] : (uint32_t)ends[p][0];
-                    e->call(in, outside);
-                    in[place].bits = f32 ? pairs[p][1] : (uint32_t)ends[p][1];
-                    e->call(in, edge);
-                    for (k = 0; k < e->outputs; k++)
-                        if (lobe_value_real(e->format, outside[k]) != lobe_value_real(e->format, edge[k]))
-                            fail_msg("%s: input %d outside (%08x) is not clamped to its edge", e->kernel, place,
-                                     f32 ? (unsigned)pairs[p][0] : (unsigned)ends[p][0]);
+        for (k = 0; k < e->inputs; k++) {
+            for (p = 0; p < (e->format == LOBE_F32 ? nf : nq); p++) {
+                lobe_value value, in[LOBE_MAX_INPUTS];
+                double x;
+                value.bits = e->format == LOBE_F32 ? floats[p] : (uint32_t)integers[p];
+                x = lobe_value_real(e->format, value);
+                if (x > e->ranges[k].least && x <= e->ranges[k].most)
+                    continue;
+                for (which = 0; which < 17 + OTHERS; which++) {
+                    others(e, which, in);
+                    for (o = 0; which < 17 && o < e->inputs; o++)
+                        in[o] = at(e, o, which / 16.0);
+                    compare_with_edge(e, in, k, value, x > e->ranges[k].most ? e->ranges[k].most : e->ranges[k].least);
                 }
             }
         }
@@ -149,7 +197,7 @@ int main(void)
         cmocka_unit_test(special_numbers),
         cmocka_unit_test(dense_sweep),
         cmocka_unit_test(any_bits),
-        cmocka_unit_test(clamped_to_the_domain),
+        cmocka_unit_test(clamped_to_the_range),
     };
     return cmocka_run_group_tests_name("range", tests, NULL, NULL);
 }

@@ -3,7 +3,7 @@
 . harness/test/tap.sh
 san=$B/sanitize
 flags='-O1 -g -fsanitize=address,undefined -fno-sanitize-recover=all'
-units=$(sed -n 's/^UNIT_TESTS := //p' harness/harness.mk)
+units=$(sed -n -e ':more' -e '/\\$/{N;s/\\\n//;b more' -e '}' -e 's/^UNIT_TESTS := //p' harness/harness.mk)
 programs=
 for unit in $units; do programs="$programs $san/test/test_$unit"; done
 check 'builds' ${MAKE:-make} -s B="$san" CFLAGS="$flags" "$san/lobecheck" "$san/embed_vectors" $programs
