@@ -1,18 +1,26 @@
 #include "case.h"
 #include <string.h>
+#include "capsule_light/bounds.h"
 #include "capsule_light/fit.h"
 #include "capsule_light/front.h"
+#include "capsule_light/tiers.h"
 #include "capsule_light/truth_capsule.h"
 #include "diffuse_sh/fit.h"
 #include "diffuse_sh/tiers.h"
 #include "diffuse_sh/truth_diffuse.h"
 #include "energy/fit.h"
+#include "sg_light/bounds.h"
+#include "sg_light/fit.h"
+#include "sg_light/front.h"
+#include "sg_light/tiers.h"
+#include "sg_light/truth_sg.h"
 #include "sphere_diffuse/fit.h"
 #include "sphere_diffuse/tiers.h"
 #include "sphere_diffuse/truth_sphere_diffuse.h"
 #include "sphere_light/bounds.h"
 #include "sphere_light/fit.h"
 #include "sphere_light/front.h"
+#include "sphere_light/schlick_case.h"
 #include "sphere_light/tiers.h"
 #include "sphere_light/truth_sphere.h"
 #include "split_sum/fit.h"
@@ -94,6 +102,23 @@ static const lobe_case cases[] = {
      .fit = lobe_sphere_fit,
      .bounds = lobe_sphere_bounds,
      .search = lobe_sphere_front_search},
+    {.name = "sphere_light_schlick",
+     .integral = "s = int D V (1 - v.h)^5 n.l dl / int D V n.l dl over the part above the horizon of a cone of half "
+                 "angle sigma: Lo at F0 is Lo(1) (F0 + (1 - F0) s)",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2",
+     .accuracy = "1e-6 relative",
+     .input_count = 5,
+     .output_count = 1,
+     .inputs = {{"roughness", 0.05, 1.0},
+                {"n_dot_v", 0.001, 1.0},
+                {"n_dot_l", -1.0, 1.0},
+                {"azimuth", 0.0, 3.141592653589793},
+                {"sigma", 0.0001, 1.570796326794896}},
+     .outputs = {"schlick"},
+     .truth = lobe_truth_sphere_schlick_rows,
+     .refuse = lobe_truth_sphere_schlick_refusal,
+     .vectors = &lobe_sphere_schlick_vectors,
+     .bounds = lobe_sphere_schlick_bounds},
     {.name = "sphere_diffuse",
      .integral = "E / pi = int n.l / pi dl over the part above the horizon of a cone of half angle asin(sine)",
      .brdf = "Lambert, base colour 1",
@@ -124,8 +149,27 @@ static const lobe_case cases[] = {
      .outputs = {"radiance"},
      .truth = lobe_truth_capsule_rows,
      .refuse = lobe_truth_capsule_row_refusal,
+     .vectors = &lobe_capsule_vectors,
      .fit = lobe_capsule_fit,
+     .bounds = lobe_capsule_bounds,
      .search = lobe_capsule_front_search},
+    {.name = "sg_light",
+     .integral = "Lo = int exp(sharpness (l.axis - 1)) D V n.l dl over the upper hemisphere",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2, F = 1",
+     .accuracy = "1e-7 relative",
+     .input_count = 5,
+     .output_count = 1,
+     .inputs = {{"roughness", 0.05, 1.0},
+                {"n_dot_v", 0.001, 1.0},
+                {"n_dot_l", -1.0, 1.0},
+                {"azimuth", 0.0, 3.141592653589793},
+                {"sharpness", 1.0, 65536.0}},
+     .outputs = {"radiance"},
+     .truth = lobe_truth_sg_rows,
+     .vectors = &lobe_sg_vectors,
+     .fit = lobe_sg_fit,
+     .bounds = lobe_sg_bounds,
+     .search = lobe_sg_front_search},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
      .brdf = "GGX, Schlick-Smith with k = alpha/2, alpha = roughness^2; a published formula was fitted to it",

@@ -8,6 +8,7 @@ LOBEFIT_LIBS = -lm -lpthread -ldl
 -include cases/fit/emit.mk
 -include cases/fit_rules.mk
 -include cases/environment.mk
+-include cases/prefilter.mk
 -include cases/picture/picture.mk
 
 # The truth is worth -O3: its inner loop vectorises with the bits it has.
@@ -24,6 +25,8 @@ CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/sp
 -include cases/sphere_diffuse.mk
 -include cases/capsule_light.mk
 -include cases/sphere_stability.mk
+-include cases/sg_light.mk
+-include cases/picture/lights.mk
 LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
 
 $(B)/cases/%.o: cases/%.c $(CASES_HDR)

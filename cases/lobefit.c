@@ -5,6 +5,7 @@
 #include <string.h>
 #include "case.h"
 #include "environment/project_command.h"
+#include "prefilter/prefilter_command.h"
 #include "fit/bounds.h"
 #include "fit/sweep.h"
 #if defined(LOBE_WITH_EMIT)
@@ -33,6 +34,13 @@ static const char usage[] =
     "      --sun-share S         only where it carries this share of the mean irradiance, in [0, 4], 0.5 if left out\n"
     "      --window positive     the least smoothing that leaves no negative irradiance; or hanning, or none\n"
     "      --up y                for a world with y up, middle of the map along -z; z up, along +x if left out\n"
+    "  prefilter FILE --out CUBE  a map (RGBE, PFM) or cube (DDS, KTX2 of half floats) as a filtered cube map\n"
+    "      --kernel ggx|sg       the split sum's prefilter, or spherical Gaussians; ggx if left out\n"
+    "      --size N --mips M     of the cube; 256 and a last mip of side 4 if left out\n"
+    "      --format dds|ktx2|raw half floats, or floats without a head; by the file's name, else dds\n"
+    "      --curve A             mips against widths, lod = (M - 1) r (A + (1 - A) r); 1 is linear\n"
+    "      --fit                 small mips fitted to bilinear lookups instead of exact at texel centres\n"
+    "      --up y                as for project; also --threads, --opencl, --progress\n"
     "Rows are numbers separated by white space or commas; # starts a comment, blank lines are skipped.\n"
     "Exit status: 0 all good, 1 a check failed, 2 bad usage or input.\n";
 
@@ -242,6 +250,8 @@ int main(int argc, char **argv)
         return argc == 2 ? list() : refuse("list: '%s' is one word too many", argv[2]);
     if (strcmp(command, "project") == 0)
         return lobe_project_command(argc - 2, argv + 2);
+    if (strcmp(command, "prefilter") == 0)
+        return lobe_prefilter_command(argc - 2, argv + 2);
     for (i = 0; commands[i] && strcmp(commands[i], command) != 0; i++)
         ;
     if (!commands[i])

@@ -1,6 +1,7 @@
 # Sphere and capsule lights: truth, fits, and the forms that were explored. The tests link what is no command.
-SPHERE_LIGHT_COMMANDS := $(addprefix cases/sphere_light/,bounds.c fit.c fit_tiers.c front.c ltc_fit.c objective.c \
-    peers_fit.c shipped.c tiers.c)
+SPHERE_LIGHT_COMMANDS := $(addprefix cases/sphere_light/,bounds.c fit.c fit_tiers.c front.c lit_fit.c lit_objective.c \
+    lit_tiers.c ltc_fit.c measure.c objective.c peers_fit.c schlick_bounds.c \
+    schlick_case.c shipped.c solve.c tiers.c)
 SPHERE_LIGHT_SRC := $(filter-out $(SPHERE_LIGHT_COMMANDS),$(wildcard cases/sphere_light/*.c)) cases/fit/truth_cache.c
 SPHERE_LIGHT_OBJ := $(SPHERE_LIGHT_SRC:%.c=$(B)/%.o) $(B)/cases/sphere_light/truth_source.o
 FIT_OBJ += $(SPHERE_LIGHT_OBJ) $(SPHERE_LIGHT_COMMANDS:%.c=$(B)/%.o)
@@ -17,7 +18,7 @@ sphere-light-front: $(B)/lobefit
 	$< search sphere_light --csv cases/sphere_light/front.csv
 
 # What is fitted of the published forms, before the front: the constants in half a minute, and the table of linearly
-# transformed cosines in as much.
+# transformed cosines in less.
 .PHONY: sphere-light-peers ltc
 sphere-light-peers: $(B)/lobefit
 	$< search sphere_light --peers cases/sphere_light/peers_fitted.h
@@ -46,9 +47,9 @@ $(B)/test/test_sphere_light_opencl: cases/test/test_sphere_light_opencl.c $(SPHE
 	@mkdir -p $(@D)
 	$(CC) $(CASES_CFLAGS) $(filter %.c %.o,$^) $(LOBEFIT_LIBS) -lcmocka -o $@
 
-SPHERE_FIT_TESTS := test_sphere_floors test_sphere_fit
+SPHERE_FIT_TESTS := test_sphere_floors test_sphere_schlick_floors test_sphere_fit
 TESTS += $(SPHERE_FIT_TESTS:%=$(B)/test/%)
 $(SPHERE_FIT_TESTS:%=$(B)/test/%): $(B)/test/%: cases/test/%.c $(SPHERE_LIGHT_OBJ) $(TRUTH_OBJ) \
-    $(addprefix $(B)/cases/sphere_light/,fit_tiers.o objective.o shipped.o) $(B)/liblobe.a $(CASES_HDR)
+    $(addprefix $(B)/cases/sphere_light/,fit_tiers.o lit_objective.o lit_tiers.o objective.o shipped.o) $(B)/liblobe.a $(CASES_HDR)
 	@mkdir -p $(@D)
 	$(CC) $(CASES_CFLAGS) $(filter %.c %.o %.a,$^) $(LOBEFIT_LIBS) -lcmocka -o $@

@@ -44,22 +44,30 @@ static int read_line(FILE *stream, char *line)
 
 static double held(double x, double lo, double hi) { return x < lo ? lo : x > hi ? hi : x; } /* NaN stays */
 
-/* A sphere light is asked for by angles, in as many columns as its functions have inputs. */
+static int is_sphere(const lobe_entry *e)
+{
+    return lobe_same(e->model, "sphere_light") || lobe_same(e->model, "sphere_light_schlick");
+}
+
+/* Round lights are asked for by angles, in as many columns as their functions have inputs. */
 static const char *user_columns(const lobe_entry *e)
 {
-    return lobe_same(e->model, "sphere_light") ? "roughness n_dot_v n_dot_l azimuth half_angle" : e->input_names;
+    if (lobe_same(e->model, "sg_light"))
+        return "roughness n_dot_v n_dot_l azimuth sharpness";
+    return is_sphere(e) ? "roughness n_dot_v n_dot_l azimuth half_angle" : e->input_names;
 }
 
 /* From the user's columns to the function's. Azimuth 0 is where view and light lean to the same side, pi is the
- * mirror's side; past 90 degrees a half angle counts as 90. */
+ * mirror's side; past 90 degrees a half angle counts as 90, and below 1 a sharpness as 1. */
 static void to_inputs(const lobe_entry *e, double *x)
 {
-    if (lobe_same(e->model, "sphere_light")) {
+    const int gaussian = lobe_same(e->model, "sg_light");
+    if (gaussian || is_sphere(e)) {
         const double v = held(x[1], 0.0, 1.0), l = held(x[2], -1.0, 1.0);
         const double along_v = sqrt((1.0 - v) * (1.0 + v)), along_l = sqrt((1.0 - l) * (1.0 + l));
         const double apart = along_v - along_l, cosine = cos(0.5 * x[3]);
         x[3] = 0.25 * (apart * apart) + along_v * along_l * (cosine * cosine);
-        x[4] = sin(held(x[4], 0.0, 1.5707963267948966));
+        x[4] = gaussian ? 1.0 / held(x[4], 1.0, 1e30) : sin(held(x[4], 0.0, 1.5707963267948966));
     }
 }
 

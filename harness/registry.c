@@ -1,8 +1,11 @@
 #include "registry.h"
+#include "../models/coeffs/capsule_light_bounds.h"
 #include "../models/coeffs/diffuse_sh_bounds.h"
 #include "../models/coeffs/energy_bounds.h"
+#include "../models/coeffs/sg_light_bounds.h"
 #include "../models/coeffs/sphere_diffuse_bounds.h"
 #include "../models/coeffs/sphere_light_bounds.h"
+#include "../models/coeffs/sphere_light_schlick_bounds.h"
 #include "../models/coeffs/split_sum_bounds.h"
 #include "../models/coeffs/split_sum_sep_bounds.h"
 #include "../models/lobe.h"
@@ -82,6 +85,50 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
         const lobe_sphere_q30 light = {in[1].q, in[2].q, in[3].q, in[4].q};                                            \
         out[0].q = lobe_scaled_to_q30(lobe_##model##_##tier##_q30(in[0].q, light));                                    \
     }
+#define SCHLICK_CALL_F32(model, tier, function, member)                                                                     \
+    static void model##_##tier##_f32(const lobe_value *in, lobe_value *out)                                            \
+    {                                                                                                                  \
+        out[0].f = function(in[0].f, lobe_sphere_of_f32(in[1].f, in[2].f, in[3].f, in[4].f)) member;                          \
+    }
+#define SCHLICK_CALL_Q30(model, tier, function, member)                                                                     \
+    static void model##_##tier##_q30(const lobe_value *in, lobe_value *out)                                            \
+    {                                                                                                                  \
+        const lobe_sphere_q30 light = {in[1].q, in[2].q, in[3].q, in[4].q};                                            \
+        out[0].q = function(in[0].q, light) member;                                                                           \
+    }
+#define SCHLICK_F32(model, tier, bounds, kernel) SCHLICK_CALL_F32(model, tier, kernel##_f32, )
+#define SCHLICK_Q30(model, tier, bounds, kernel) SCHLICK_CALL_Q30(model, tier, kernel##_q30, )
+#define LIT_F32(model, tier, bounds, kernel) SCHLICK_CALL_F32(model, tier, kernel##_f32, .schlick)
+#define LIT_Q30(model, tier, bounds, kernel) SCHLICK_CALL_Q30(model, tier, kernel##_q30, .schlick)
+#define CAPSULE_CALL(model, tier, format, value, real)                                                                 \
+    static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
+    {                                                                                                                  \
+        lobe_capsule_##format light;                                                                                   \
+        light.n_dot_v = in[1].value;                                                                                   \
+        light.middle.x = in[2].value;                                                                                  \
+        light.middle.y = in[3].value;                                                                                  \
+        light.middle.z = in[4].value;                                                                                  \
+        light.arm.x = in[5].value;                                                                                     \
+        light.arm.y = in[6].value;                                                                                     \
+        light.arm.z = in[7].value;                                                                                     \
+        light.radius = in[8].value;                                                                                    \
+        out[0].value = real(lobe_##model##_##tier##_##format(in[0].value, light));                                     \
+    }
+#define CAPSULE_F32(model, tier, bounds) CAPSULE_CALL(model, tier, f32, f, )
+#define CAPSULE_Q30(model, tier, bounds) CAPSULE_CALL(model, tier, q30, q, lobe_scaled_to_q30)
+#define SG_CALL(model, tier, format, value, real)                                                                      \
+    static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
+    {                                                                                                                  \
+        const lobe_sg_##format light = {in[1].value, in[2].value, in[3].value, in[4].value};                           \
+        out[0].value = real(lobe_##model##_##tier##_##format(in[0].value, light));                                     \
+    }
+#define SG_F32(model, tier, bounds)                                                                                    \
+    SG_CALL(model, tier, f32, f, )                                                                                     \
+    static void model##_##tier##_n_f32(const lobe_value *const *in, lobe_value *const *out, size_t n)                  \
+    {                                                                                                                  \
+        lobe_##model##_##tier##_n_f32(&in[0]->f, &in[1]->f, &in[2]->f, &in[3]->f, &in[4]->f, &out[0]->f, n);           \
+    }
+#define SG_Q30(model, tier, bounds) SG_CALL(model, tier, q30, q, lobe_scaled_to_q30)
 #define SPHERE_DIFFUSE_F32(model, tier, bounds)                                                                        \
     static void model##_##tier##_f32(const lobe_value *in, lobe_value *out)                                            \
     {                                                                                                                  \
@@ -108,6 +155,14 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
 #undef SH9_CONSTANT_Q30
 #undef SPHERE_F32
 #undef SPHERE_Q30
+#undef SCHLICK_F32
+#undef SCHLICK_Q30
+#undef LIT_F32
+#undef LIT_Q30
+#undef CAPSULE_F32
+#undef CAPSULE_Q30
+#undef SG_F32
+#undef SG_Q30
 #undef SPHERE_DIFFUSE_F32
 #undef SPHERE_DIFFUSE_Q30
 
@@ -117,6 +172,22 @@ static const lobe_range sphere_light_ranges[] = {{0.22, 1.0, 0.0, 1.0},
                                                  {-1.0, 1.0, -1.0, 1.0},
                                                  {0.0, 1.0, 0.0, 1.0},
                                                  {0.0, 0.7072, 0.0, 1.0}};
+/* Its middle is at the distance 1, which no range says. Beyond: any length, in q30 any integer. */
+#define CAPSULE_RANGES(most)                                                                                           \
+    {                                                                                                                  \
+        {0.22, 1.0, 0.0, 1.0}, {0.08, 1.0, 0.0, 1.0}, {-1.0, 1.0, -most, most}, {-1.0, 1.0, -most, most},              \
+            {-1.0, 1.0, -most, most}, {-1.0, 1.0, -most, most}, {-1.0, 1.0, -most, most}, {-1.0, 1.0, -most, most},    \
+        {                                                                                                              \
+            0.0, 0.5, 0.0, most                                                                                        \
+        }                                                                                                              \
+    }
+static const lobe_range capsule_light_ranges_f32[] = CAPSULE_RANGES(1e15);
+static const lobe_range capsule_light_ranges_q30[] = CAPSULE_RANGES(2.0);
+static const lobe_range sg_light_ranges[] = {{0.22, 1.0, 0.0, 1.0},
+                                             {0.05, 1.0, 0.0, 1.0},
+                                             {-1.0, 1.0, -1.0, 1.0},
+                                             {0.0, 1.0, 0.0, 1.0},
+                                             {0.000244140625, 0.25, 0.0, 1.0}};
 static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0, 1.0, 0.0, 1.0}};
 
 /* Second reading: the table. ROW_OF has everything, the others what their models have in common. */
@@ -127,9 +198,13 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
            array, bounds, below)
 #define ROW_OF(model, tier, format, FORMAT, inputs, input_names, ranges, outputs, output_names, sums, array, bounds,   \
                below)                                                                                                  \
+    ROW_NAMED(model, tier, "lobe_" #model "_" #tier "_" #format, format, FORMAT, inputs, input_names, ranges, outputs, \
+              output_names, sums, array, bounds, below)
+#define ROW_NAMED(model, tier, name, format, FORMAT, inputs, input_names, ranges, outputs, output_names, sums, array,  \
+                  bounds, below)                                                                                       \
     {#model,                                                                                                           \
      #tier,                                                                                                            \
-     "lobe_" #model "_" #tier "_" #format,                                                                             \
+     name,                                                                                                             \
      LOBE_##FORMAT,                                                                                                    \
      inputs,                                                                                                           \
      outputs,                                                                                                          \
@@ -162,6 +237,23 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
            "radiance", 0, array, bounds, bounds##_##FORMAT##_BELOW_MAX)
 #define SPHERE_F32(model, tier, bounds) ROW_SPHERE(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
 #define SPHERE_Q30(model, tier, bounds) ROW_SPHERE(model, tier, q30, Q30, NULL, bounds)
+#define ROW_SCHLICK(model, tier, format, FORMAT, bounds, kernel)                                                       \
+    ROW_NAMED(model, tier, #kernel "_" #format, format, FORMAT, 5, "roughness n_dot_v n_dot_l tangent2 sine",          \
+              sphere_light_ranges, 1, "schlick", 0, NULL, bounds, bounds##_##FORMAT##_BELOW_MAX)
+#define SCHLICK_F32(model, tier, bounds, kernel) ROW_SCHLICK(model, tier, f32, F32, bounds, kernel)
+#define SCHLICK_Q30(model, tier, bounds, kernel) ROW_SCHLICK(model, tier, q30, Q30, bounds, kernel)
+#define LIT_F32(model, tier, bounds, kernel) ROW_SCHLICK(model, tier, f32, F32, bounds, kernel)
+#define LIT_Q30(model, tier, bounds, kernel) ROW_SCHLICK(model, tier, q30, Q30, bounds, kernel)
+#define ROW_CAPSULE(model, tier, format, FORMAT, bounds)                                                               \
+    ROW_OF(model, tier, format, FORMAT, 9, "roughness n_dot_v mx my mz ex ey ez radius",                               \
+           capsule_light_ranges_##format, 1, "radiance", 0, NULL, bounds, bounds##_##FORMAT##_BELOW_MAX)
+#define CAPSULE_F32(model, tier, bounds) ROW_CAPSULE(model, tier, f32, F32, bounds)
+#define CAPSULE_Q30(model, tier, bounds) ROW_CAPSULE(model, tier, q30, Q30, bounds)
+#define ROW_SG(model, tier, format, FORMAT, array, bounds)                                                             \
+    ROW_OF(model, tier, format, FORMAT, 5, "roughness n_dot_v n_dot_l tangent2 versine", sg_light_ranges, 1,           \
+           "radiance", 0, array, bounds, bounds##_##FORMAT##_BELOW_MAX)
+#define SG_F32(model, tier, bounds) ROW_SG(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
+#define SG_Q30(model, tier, bounds) ROW_SG(model, tier, q30, Q30, NULL, bounds)
 #define ROW_SPHERE_DIFFUSE(model, tier, format, FORMAT, array, bounds)                                                 \
     ROW_OF(model, tier, format, FORMAT, 2, "n_dot_l sine", sphere_diffuse_ranges, 1, "irradiance", 0, array, bounds,   \
            bounds##_##FORMAT##_MAX)

@@ -9,7 +9,11 @@
  *   ENERGY_F32, ENERGY_Q30: E
  *   SH9_F32, SH9_Q30: nine coefficients, with an array version; SH9_CONSTANT_F32, SH9_CONSTANT_Q30: of no inputs
  *   SPHERE_F32, SPHERE_Q30: radiance of a sphere light, of five inputs
- *   SPHERE_DIFFUSE_F32, SPHERE_DIFFUSE_Q30: its irradiance over pi, of two */
+ *   SCHLICK_F32, SCHLICK_Q30: its Fresnel, of the same five, by a function of another name, which is the fourth column;
+ *   LIT_F32, LIT_Q30: the same where that function gives it beside the radiance
+ *   CAPSULE_F32, CAPSULE_Q30: the same of a capsule, of nine
+ *   SG_F32, SG_Q30: radiance of a spherical Gaussian light, of five
+ *   SPHERE_DIFFUSE_F32, SPHERE_DIFFUSE_Q30: a sphere's irradiance over pi, of two */
 DFG_F32(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_Q30(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_F32(split_sum, medium, LOBE_SPLIT_SUM_MEDIUM)
@@ -58,6 +62,20 @@ SPHERE_F32(sphere_light, medium, LOBE_SPHERE_LIGHT_MEDIUM)
 SPHERE_Q30(sphere_light, medium, LOBE_SPHERE_LIGHT_MEDIUM)
 SPHERE_F32(sphere_light, high, LOBE_SPHERE_LIGHT_HIGH)
 SPHERE_Q30(sphere_light, high, LOBE_SPHERE_LIGHT_HIGH)
+SCHLICK_F32(sphere_light_schlick, low, LOBE_SPHERE_LIGHT_SCHLICK_LOW, lobe_sphere_light_schlick)
+SCHLICK_Q30(sphere_light_schlick, low, LOBE_SPHERE_LIGHT_SCHLICK_LOW, lobe_sphere_light_schlick)
+LIT_F32(sphere_light_schlick, high, LOBE_SPHERE_LIGHT_SCHLICK_HIGH, lobe_sphere_light_high_lit)
+LIT_Q30(sphere_light_schlick, high, LOBE_SPHERE_LIGHT_SCHLICK_HIGH, lobe_sphere_light_high_lit)
+CAPSULE_F32(capsule_light, low, LOBE_CAPSULE_LIGHT_LOW)
+CAPSULE_Q30(capsule_light, low, LOBE_CAPSULE_LIGHT_LOW)
+CAPSULE_F32(capsule_light, medium, LOBE_CAPSULE_LIGHT_MEDIUM)
+CAPSULE_Q30(capsule_light, medium, LOBE_CAPSULE_LIGHT_MEDIUM)
+CAPSULE_F32(capsule_light, high, LOBE_CAPSULE_LIGHT_HIGH)
+CAPSULE_Q30(capsule_light, high, LOBE_CAPSULE_LIGHT_HIGH)
+SG_F32(sg_light, medium, LOBE_SG_LIGHT_MEDIUM)
+SG_Q30(sg_light, medium, LOBE_SG_LIGHT_MEDIUM)
+SG_F32(sg_light, high, LOBE_SG_LIGHT_HIGH)
+SG_Q30(sg_light, high, LOBE_SG_LIGHT_HIGH)
 SPHERE_DIFFUSE_F32(sphere_diffuse, low, LOBE_SPHERE_DIFFUSE_LOW)
 SPHERE_DIFFUSE_Q30(sphere_diffuse, low, LOBE_SPHERE_DIFFUSE_LOW)
 SPHERE_DIFFUSE_F32(sphere_diffuse, medium, LOBE_SPHERE_DIFFUSE_MEDIUM)

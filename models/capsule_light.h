@@ -109,7 +109,7 @@ LOBE_FN lobe_capsule_strip lobe_capsule_strip_at(lobe_capsule c, lobe_real vx, l
     LOBE_LET x = c.mx + t * c.ex;
     LOBE_LET y = c.my + t * c.ey;
     LOBE_LET z = c.mz + t * c.ez;
-    LOBE_LET near = LOBE_R(1.0) / lobe_max(lobe_sqrt(x * x + y * y + z * z), LOBE_R(1e-6));
+    LOBE_LET near = LOBE_R(1.0) / lobe_max(lobe_sqrt(x * x + y * y + z * z), LOBE_R(9.53674316e-7));
     LOBE_LET sine = lobe_clamp(c.radius * near, LOBE_R(1e-5), LOBE_R(1.0));
     LOBE_LET hx = vx + x * near;
     LOBE_LET hy = y * near;
@@ -131,9 +131,9 @@ LOBE_FN lobe_capsule_strip lobe_capsule_strip_at(lobe_capsule c, lobe_real vx, l
 LOBE_FN lobe_capsule lobe_capsule_risen(lobe_capsule c, lobe_capsule_terms k)
 {
     LOBE_LET steep = lobe_max(c.ez, -c.ez);
-    LOBE_LET level = c.radius / (c.radius + steep + LOBE_R(1e-9));
+    LOBE_LET level = c.radius / (c.radius + steep + LOBE_R(9.31322575e-10));
     LOBE_LET high = c.mz + c.radius * (k.set + k.level * level);
-    LOBE_LET end = lobe_clamp(high / (steep + LOBE_R(1e-18)), LOBE_R(-1.0), LOBE_R(1.0));
+    LOBE_LET end = lobe_clamp(high / (steep + LOBE_R(8.67361738e-19)), LOBE_R(-1.0), LOBE_R(1.0));
     LOBE_LET half_length = LOBE_R(0.5) + LOBE_R(0.5) * end;
     LOBE_LET shift = LOBE_R(0.5) - LOBE_R(0.5) * end;
     LOBE_LET move = lobe_select(c.ez, shift, -shift);
@@ -161,12 +161,12 @@ LOBE_FN lobe_capsule_spot lobe_capsule_line(lobe_real roughness, lobe_capsule li
     /* t: nearest to the mirror direction in the lobe, which is v times as wide across as along; or rather the middle */
     LOBE_LET mu = v * (v * c.mx + vx * c.mz);
     LOBE_LET eu = v * (v * c.ex + vx * c.ez);
-    LOBE_LET slant = eu * eu + c.ey * c.ey + k.centre * (a * a) + LOBE_R(1e-18);
+    LOBE_LET slant = eu * eu + c.ey * c.ey + k.centre * (a * a) + LOBE_R(8.67361738e-19);
     LOBE_LET t = lobe_clamp(-(mu * eu + c.my * c.ey) / slant, LOBE_R(-1.0), LOBE_R(1.0));
     LOBE_LET px = c.mx + t * c.ex;
     LOBE_LET py = c.my + t * c.ey;
     LOBE_LET pz = c.mz + t * c.ez;
-    LOBE_LET d = lobe_max(lobe_sqrt(px * px + py * py + pz * pz), LOBE_R(1e-6));
+    LOBE_LET d = lobe_max(lobe_sqrt(px * px + py * py + pz * pz), LOBE_R(9.53674316e-7));
     LOBE_LET far = LOBE_R(1.0) / d;
     /* N there, its slope and its curvature; away: those of the distance */
     LOBE_LET away = (px * c.ex + py * c.ey + pz * c.ez) * far;
@@ -176,13 +176,13 @@ LOBE_FN lobe_capsule_spot lobe_capsule_line(lobe_real roughness, lobe_capsule li
     LOBE_LET bx = c.ex + away * vx;
     LOBE_LET bz = a * (c.ez + away * v);
     LOBE_LET tangent2 = hx * hx + py * py;
-    LOBE_LET reach = (c.radius + k.reach * (a * d)) * lobe_sqrt(tangent2) + LOBE_R(1e-12);
+    LOBE_LET reach = (c.radius + k.reach * (a * d)) * lobe_sqrt(tangent2) + LOBE_R(9.09494702e-13);
     LOBE_LET left = lobe_saturate(LOBE_R(1.0) - r2 / reach);
-    LOBE_LET n0 = left * left * tangent2 + hz * hz + k.widen * r2 + LOBE_R(1e-9);
+    LOBE_LET n0 = left * left * tangent2 + hz * hz + k.widen * r2 + LOBE_R(9.31322575e-10);
     LOBE_LET n1 = hx * bx + py * c.ey + hz * bz;
     LOBE_LET n2 = bx * bx + c.ey * c.ey + bz * bz + (hx * vx + a * (hz * v)) * away2;
     /* what else varies along the line, as the first terms of its series: powers of |p| + p.v and of |p| */
-    LOBE_LET toward = LOBE_R(1.0) / lobe_max(d + px * vx + pz * v, LOBE_R(0.004) * d);
+    LOBE_LET toward = LOBE_R(1.0) / lobe_max(d + px * vx + pz * v, LOBE_R(0.00390625) * d);
     LOBE_LET y1 = (away + (c.ex * vx + c.ez * v)) * toward;
     LOBE_LET l1 = away * far;
     LOBE_LET f1 = k.near * l1 - k.turn * y1;
@@ -190,7 +190,7 @@ LOBE_FN lobe_capsule_spot lobe_capsule_line(lobe_real roughness, lobe_capsule li
     LOBE_LET inverse = LOBE_R(1.0) / n0;
     LOBE_LET slope = n1 * inverse;
     LOBE_LET s = slope + LOBE_R(0.5) * f1;
-    LOBE_LET bow = lobe_max(n2 * inverse + (slope + slope) * f1 + f2 - s * s, LOBE_R(1e-4) * (s * s));
+    LOBE_LET bow = lobe_max(n2 * inverse + (slope + slope) * f1 + f2 - s * s, LOBE_R(0.0001220703125) * (s * s));
     /* N over n0 is (1 + s x)^2 + bow x^2, x from t: at the ends, mixed, and its discriminant */
     LOBE_LET x0 = LOBE_R(-1.0) - t;
     LOBE_LET x1 = LOBE_R(1.0) - t;
@@ -199,15 +199,15 @@ LOBE_FN lobe_capsule_spot lobe_capsule_line(lobe_real roughness, lobe_capsule li
     LOBE_LET at0 = i0 * i0 + bow * (x0 * x0);
     LOBE_LET at1 = i1 * i1 + bow * (x1 * x1);
     LOBE_LET mixed = i0 * i1 + bow * (x0 * x1);
-    LOBE_LET both = lobe_max(at0 * at1, LOBE_R(1e-30));
+    LOBE_LET both = lobe_max(at0 * at1, LOBE_R(7.88860905e-31));
     LOBE_LET root = lobe_sqrt(both);
     LOBE_LET q2 = LOBE_R(4.0) * bow;
     LOBE_LET q = lobe_sqrt(q2);
     /* the integral: 1 / both, and an arc of the angle whose cotangent is mixed / q; w / q is the cotangent of half */
-    LOBE_LET w = lobe_select(mixed, root + mixed, q2 / (root + lobe_max(-mixed, LOBE_R(0.0)) + LOBE_R(1e-20)));
+    LOBE_LET w = lobe_select(mixed, root + mixed, q2 / (root + lobe_max(-mixed, LOBE_R(0.0)) + LOBE_R(1.35525272e-20)));
     LOBE_LET w2 = w * w;
-    LOBE_LET bulge = LOBE_R(0.375) + LOBE_R(0.518345) * q2 / (w2 + LOBE_R(0.946435) * q2 + LOBE_R(1e-20));
-    LOBE_LET arc = LOBE_R(1.0) / (LOBE_R(0.636619772) * (q2 * q) + w2 * w * bulge + LOBE_R(1e-20));
+    LOBE_LET bulge = LOBE_R(0.375) + LOBE_R(0.518345) * q2 / (w2 + LOBE_R(0.946435) * q2 + LOBE_R(1.35525272e-20));
+    LOBE_LET arc = LOBE_R(1.0) / (LOBE_R(0.636619772) * (q2 * q) + w2 * w * bulge + LOBE_R(1.35525272e-20));
     LOBE_LET sum = LOBE_R(1.0) / both + LOBE_R(4.0) * (s * s + bow) * arc;
     LOBE_LET place = lobe_saturate(LOBE_R(0.5) - LOBE_R(0.5) * (at1 - at0) * arc / sum);
     /* the sphere at the centre of gravity */
@@ -255,10 +255,10 @@ LOBE_FN lobe_real lobe_capsule_light_low(LOBE_COEFFS lobe_real roughness, lobe_c
     LOBE_LET mu = v * (v * c.mx + vx * c.mz);
     LOBE_LET eu = v * (v * c.ex + vx * c.ez);
     LOBE_LET ee = c.ex * c.ex + c.ey * c.ey + c.ez * c.ez;
-    LOBE_LET slant = eu * eu + c.ey * c.ey + (LOBE_R(1e-6) * ee + LOBE_R(1e-18));
+    LOBE_LET slant = eu * eu + c.ey * c.ey + (LOBE_R(9.53674316e-7) * ee + LOBE_R(8.67361738e-19));
     LOBE_LET nearest = lobe_clamp(-(mu * eu + c.my * c.ey) / slant, LOBE_R(-1.0), LOBE_R(1.0));
-    LOBE_LET length = lobe_sqrt(ee);
-    LOBE_LET t = nearest * length / (length + LOBE_CAPSULE_LIGHT_LOW_C0 * a);
+    LOBE_LET extent = lobe_sqrt(ee);
+    LOBE_LET t = nearest * extent / (extent + LOBE_CAPSULE_LIGHT_LOW_C0 * a);
     LOBE_LET seen = a * (LOBE_CAPSULE_LIGHT_LOW_C1 + LOBE_CAPSULE_LIGHT_LOW_C2 * v);
     lobe_capsule_strip strip = lobe_capsule_strip_at(c, vx, t);
     LOBE_LET part = seen / (seen + strip.across);

@@ -95,8 +95,9 @@ LOBE_FN lobe_real lobe_sphere_light_punctual(lobe_real roughness, lobe_sphere li
 
 /* Representative points without finding the point: v and the mirror direction have opposite tangents along the surface,
  * so a point that is moved from the light's centre towards the mirror by a part has v + l shrunk by that part.
- * low shrinks its square by a ratio of two sums, which need neither root nor division: the half vector's cosine is
- * a ratio, and the divisor goes into its other term. */
+ * low shrinks its square by a ratio of two sums, left over far, which need neither root nor division: the half vector's
+ * cosine is a ratio, and the divisor goes into its other term. far has the lobe's width in it (y2), so that a light
+ * that is small beside the lobe is not moved at all; the plateau bounds what is left of the peak. */
 LOBE_FN lobe_real lobe_sphere_light_low(LOBE_COEFFS lobe_real roughness, lobe_sphere light)
 {
     lobe_sphere s = lobe_sphere_clamped(light);
@@ -107,27 +108,31 @@ LOBE_FN lobe_real lobe_sphere_light_low(LOBE_COEFFS lobe_real roughness, lobe_sp
     LOBE_LET a = lobe_sphere_alpha(roughness);
     LOBE_LET a2 = a * a;
     LOBE_LET b = LOBE_R(1.0) - a2;
-    LOBE_LET off = v - l;
-    LOBE_LET far = across + off * off;
-    LOBE_LET within = lobe_max(r - LOBE_SPHERE_LIGHT_LOW_C5 * a * v, LOBE_R(0.0)) * r;
-    LOBE_LET above = lobe_max(far - LOBE_SPHERE_LIGHT_LOW_C1 * within, LOBE_R(0.0));
-    LOBE_LET below = far + LOBE_SPHERE_LIGHT_LOW_C2 * (r * r);
-    LOBE_LET z = lobe_max(lobe_max(l, LOBE_SPHERE_LIGHT_LOW_C0 * (l + r)), LOBE_R(0.0));
+    LOBE_LET z = lobe_max(lobe_max(l, LOBE_SPHERE_LIGHT_LOW_C0 * l + LOBE_SPHERE_LIGHT_LOW_C1 * r), LOBE_R(0.0));
     LOBE_LET h = v + z;
-    LOBE_LET w = above * across;
-    LOBE_LET h2 = below * (h * h);
-    LOBE_LET q = w + h2;
-    LOBE_LET t = w + a2 * h2;
-    LOBE_LET va = v + LOBE_SPHERE_LIGHT_LOW_C3 * a;
+    LOBE_LET h2 = h * h;
+    LOBE_LET y2 = a2 * h2; /* the lobe's width squared where across is the distance's */
+    LOBE_LET r2 = r * r;
+    LOBE_LET off = v - l;
+    /* the light's centre to the mirror direction, squared, and never less than lobe and light allow */
+    LOBE_LET far = across + off * off +
+                   (LOBE_SPHERE_LIGHT_LOW_C2 * r2 + (LOBE_SPHERE_LIGHT_LOW_C3 * y2 + LOBE_SPHERE_LIGHT_LOW_C4 * a2));
+    LOBE_LET left = lobe_max(far - LOBE_SPHERE_LIGHT_LOW_C5 * r2, LOBE_R(0.0));
+    LOBE_LET w = left * across;
+    LOBE_LET q = w + far * h2;
+    LOBE_LET t = w + far * y2;
+    LOBE_LET va = v + LOBE_SPHERE_LIGHT_LOW_C6 * a;
     LOBE_LET root_v = lobe_sqrt(a2 + b * (v * v));
     LOBE_LET m = lobe_sphere_mask(a2, b, v, root_v, z);
     LOBE_LET eq = s.versine * a2 * (q * q);
-    LOBE_LET y = lobe_saturate(eq * va * z / ((va * (t * t) + LOBE_SPHERE_LIGHT_LOW_C4 * eq) * m + LOBE_R(1e-36)));
+    LOBE_LET y = lobe_saturate(eq * va * z / ((va * (t * t) + LOBE_SPHERE_LIGHT_LOW_C7 * eq) * m + LOBE_R(1e-36)));
     return y;
 }
 
-/* The point moves by r^2 / (r + lobe), less than the radius while the lobe is the wider; x / sqrt(1 + knee x + c x^2)
- * bends to the plateau, before masking. */
+/* The light's centre moves towards the mirror direction by a part of the way, r^2 / (r + lobe) and never past it: v and
+ * the mirror direction have opposite tangents along the surface, so the tangent of v + l shrinks by that part, and the
+ * height goes the same part of the way to v. x / sqrt(1 + knee x + c x^2) then bends to the plateau, x = top / bottom
+ * being the part of the lobe in the light if that were small. */
 LOBE_FN lobe_real lobe_sphere_light_medium(LOBE_COEFFS lobe_real roughness, lobe_sphere light)
 {
     lobe_sphere s = lobe_sphere_clamped(light);
@@ -138,27 +143,30 @@ LOBE_FN lobe_real lobe_sphere_light_medium(LOBE_COEFFS lobe_real roughness, lobe
     LOBE_LET a = lobe_sphere_alpha(roughness);
     LOBE_LET a2 = a * a;
     LOBE_LET b = LOBE_R(1.0) - a2;
+    /* the height above the horizon, with a second, flatter piece where the light sets */
+    LOBE_LET z = lobe_max(lobe_max(l, LOBE_SPHERE_LIGHT_MEDIUM_C0 * l + LOBE_SPHERE_LIGHT_MEDIUM_C1 * r), LOBE_R(0.0));
     LOBE_LET off = v - l;
-    LOBE_LET far = lobe_sqrt(across + off * off);
-    LOBE_LET reach =
-        (r + LOBE_SPHERE_LIGHT_MEDIUM_C1 * a * (v + LOBE_SPHERE_LIGHT_MEDIUM_C2 * a)) * far + LOBE_R(1e-18);
-    LOBE_LET left = lobe_saturate(LOBE_R(1.0) - r * r / reach);
-    LOBE_LET z = lobe_max(lobe_max(l, LOBE_SPHERE_LIGHT_MEDIUM_C0 * (l + r)), LOBE_R(0.0));
-    LOBE_LET h = v + z;
+    LOBE_LET far = lobe_sqrt(across + off * off); /* from the light's centre to the mirror direction */
+    LOBE_LET wide = (LOBE_SPHERE_LIGHT_MEDIUM_C2 + LOBE_SPHERE_LIGHT_MEDIUM_C3 * v) * (a * v);
+    LOBE_LET reach = (r + wide) * far + LOBE_R(1e-18);
+    LOBE_LET moved = lobe_min(r * r / reach, LOBE_R(1.0));
+    LOBE_LET left = LOBE_R(1.0) - moved;
+    LOBE_LET h = v + z + moved * off;
     LOBE_LET h2 = h * h;
     LOBE_LET w = left * left * across;
     LOBE_LET q = w + h2;
     LOBE_LET t = w + a2 * h2;
     LOBE_LET root_v = lobe_sqrt(a2 + b * (v * v));
-    LOBE_LET va = v + root_v;
-    LOBE_LET vk = v + LOBE_SPHERE_LIGHT_MEDIUM_C3 * a;
-    /* x = top / bottom is the part of the lobe in the light if that were small */
-    LOBE_LET top = s.versine * a2 * (q * q);
-    LOBE_LET bottom = t * t * va;
-    LOBE_LET knee = LOBE_SPHERE_LIGHT_MEDIUM_C4 * bottom + LOBE_SPHERE_LIGHT_MEDIUM_C5 * (vk * top);
-    LOBE_LET bend = lobe_sqrt(vk * (vk * (bottom * bottom) + top * knee));
     LOBE_LET m = lobe_sphere_mask(a2, b, v, root_v, z);
-    LOBE_LET y = lobe_saturate(top * va * vk * z / (bend * m + LOBE_R(1e-36)));
+    LOBE_LET va = v + LOBE_SPHERE_LIGHT_MEDIUM_C4 * a;
+    LOBE_LET zk = z + LOBE_SPHERE_LIGHT_MEDIUM_C5 * v;
+    LOBE_LET knee = LOBE_SPHERE_LIGHT_MEDIUM_C6 + LOBE_SPHERE_LIGHT_MEDIUM_C7 * a + LOBE_SPHERE_LIGHT_MEDIUM_C8 * v;
+    LOBE_LET top = s.versine * a2 * (q * q);
+    LOBE_LET full = top * zk;
+    LOBE_LET bottom = t * t * (va * zk);
+    LOBE_LET bend = lobe_sqrt(bottom * (bottom + knee * top) + LOBE_SPHERE_LIGHT_MEDIUM_C9 * full * full);
+    /* 1e-20: with less the squares in bend vanish in float before the rest does */
+    LOBE_LET y = lobe_saturate(full * (va * z) / (bend * m + LOBE_R(1e-20)));
     return y;
 }
 

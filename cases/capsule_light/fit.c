@@ -111,8 +111,8 @@ static bool polish(problem *p, size_t threads, lobe_progress_line *line, double 
     lobe_residuals r = {.f = lobe_parallel_eval, .ctx = &parallel, .dim = p->tier->count, .rows = p->rows};
     lobe_ls_options o = lobe_ls_default();
     lobe_fit_result result;
-    o.value_tolerance = 1e-12;
-    o.step_tolerance = 1e-10;
+    o.value_tolerance = 1e-8;
+    o.step_tolerance = 1e-6;
     o.budget = 3000;
     o.progress = lobe_progress_print;
     o.progress_ctx = line;

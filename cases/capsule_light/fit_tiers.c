@@ -39,7 +39,7 @@ static const lobe_capsule_tier tiers[] = {
      .count = 8,
      .box = LINE_BOX,
      .searches = 2,
-     .generations = 60,
+     .generations = 40,
      .seed = 1},
     {.name = "high",
      .kernel = "lobe_capsule_line",
@@ -48,7 +48,7 @@ static const lobe_capsule_tier tiers[] = {
      .count = 8,
      .box = LINE_BOX,
      .searches = 2,
-     .generations = 60,
+     .generations = 40,
      .seed = 1},
 };
 

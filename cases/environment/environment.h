@@ -32,6 +32,8 @@ int lobe_environment_from_pfm(const unsigned char *bytes, size_t size, lobe_envi
                               lobe_environment_fault *fault);
 /* Where 0, "file: byte N: found ..., expected ..." stands on standard error. */
 int lobe_environment_load(const char *path, lobe_environment *map);
+/* The bytes of a file, to be freed, or NULL after a message of that kind. */
+unsigned char *lobe_environment_read(const char *path, size_t *size);
 
 /* Sets offset and reason; returns 0. */
 int lobe_environment_refuse(lobe_environment_fault *fault, size_t offset, const char *format, ...)

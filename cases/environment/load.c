@@ -18,7 +18,6 @@ int lobe_environment_parse(const unsigned char *bytes, size_t size, lobe_environ
                                    bytes[1]);
 }
 
-/* The bytes of the file, or NULL after a message. */
 static unsigned char *read_all(FILE *f, const char *path, size_t *size)
 {
     unsigned char *bytes = NULL;
@@ -46,19 +45,24 @@ static unsigned char *read_all(FILE *f, const char *path, size_t *size)
     return bytes;
 }
 
+unsigned char *lobe_environment_read(const char *path, size_t *size)
+{
+    FILE *f = fopen(path, "rb");
+    if (!f) {
+        fprintf(stderr, "%s: cannot be opened: %s\n", path, strerror(errno));
+        return NULL;
+    }
+    unsigned char *bytes = read_all(f, path, size);
+    fclose(f);
+    return bytes;
+}
+
 int lobe_environment_load(const char *path, lobe_environment *map)
 {
     lobe_environment_fault fault = {0, ""};
-    FILE *f = fopen(path, "rb");
-    unsigned char *bytes;
     size_t size;
+    unsigned char *bytes = lobe_environment_read(path, &size);
     int good;
-    if (!f) {
-        fprintf(stderr, "%s: cannot be opened: %s\n", path, strerror(errno));
-        return 0;
-    }
-    bytes = read_all(f, path, &size);
-    fclose(f);
     if (!bytes)
         return 0;
     good = lobe_environment_parse(bytes, size, map, &fault);

@@ -29,6 +29,9 @@ int lobe_emit_count(const char *model, const char *tier, lobe_op_count *count);
 /* Operations of a tier of sphere_light beyond a punctual light; 0, or 2 where there is no such tier. */
 int lobe_emit_count_sphere(const char *tier, lobe_op_count *count);
 
+/* Operations of Schlick inside a sphere light: low from scratch, high beyond its radiance. 0, or 2. */
+int lobe_emit_count_sphere_schlick(const char *tier, lobe_op_count *count);
+
 /* Operations of a tier of sphere_diffuse; 0, or 2 where there is no such tier. */
 int lobe_emit_count_sphere_diffuse(const char *tier, lobe_op_count *count);
 

@@ -77,3 +77,28 @@ int lobe_emit_count_sphere(const char *tier, lobe_op_count *count)
     }
     return 2;
 }
+
+static lobe_op_count count_of_lit(void)
+{
+    const lobe_sphere_inputs in = lobe_sphere_trace_begin(&graph);
+    const lobe_sphere_lit lit = lobe_sphere_light_high_lit(in.roughness, in.light);
+    graph.output[graph.outputs++] = lit.radiance.id;
+    graph.output[graph.outputs++] = lit.schlick.id;
+    return lobe_sphere_trace_end(&graph);
+}
+
+int lobe_emit_count_sphere_schlick(const char *tier, lobe_op_count *count)
+{
+    if (strcmp(tier, "low") == 0) {
+        *count = count_of(lobe_sphere_light_schlick);
+        return 0;
+    }
+    if (strcmp(tier, "high") == 0) {
+        const lobe_op_count alone = count_of(lobe_sphere_light_high);
+        *count = count_of_lit();
+        count->fused -= alone.fused;
+        count->plain -= alone.plain;
+        return 0;
+    }
+    return 2;
+}

@@ -7,145 +7,12 @@
 #include "../fit/emit.h"
 #include "../fit/fit_command.h"
 #include "../fit/interrupt.h"
-#include "../fit/random.h"
-#include "../fit/truth_cache.h"
 #include "columns.h"
 #include "held.h"
+#include "measure.h"
 #include "points.h"
 #include "shipped.h"
 #include "tiers.h"
-
-enum { STARTS = 4, HALVINGS = 12, WAYS = 24 };
-
-static const double edge = 3e-8; /* half a unit of the rows, so that an edge rounds into the domain */
-
-/* One side of the domain's edge: rows, and what is true there. */
-typedef struct region {
-    double *rows, *truth;
-    size_t judged, count; /* of the hypercube; with the vectors */
-    bool beyond;
-} region;
-
-typedef struct measured {
-    double max, at[5], rms;
-} measured;
-
-static double error_at(const lobe_sphere_shipped *s, lobe_truth_fn fn, const double row[5])
-{
-    double truth;
-    fn(row, &truth, 1);
-    return fabs(s->call(row) - truth);
-}
-
-/* From a row along a direction of roughness, view, light, azimuth, sine. A step over the domain's edge ends on it.
- * false: that is no light, or not of this region. */
-static bool step_from(const double row[5], const double direction[5], double step, bool beyond, double next[5])
-{
-    double at[5] = {row[0], row[1], row[2], lobe_sphere_azimuth(row), row[4]};
-    int k;
-    for (k = 0; k < 5; k++)
-        at[k] += step * direction[k];
-    at[0] = fmax(at[0], beyond ? LOBE_SPHERE_ROUGHNESS_LEAST : LOBE_SPHERE_ROUGHNESS_LO);
-    at[1] = fmax(at[1], beyond ? LOBE_SPHERE_N_DOT_V_LEAST : LOBE_SPHERE_N_DOT_V_LO);
-    at[4] = fmin(fmax(at[4], LOBE_SPHERE_SINE_LEAST), beyond ? 1 : LOBE_SPHERE_SINE_HI);
-    if (!lobe_sphere_place(next, at[0] + edge, at[1] + edge, at[2], at[3], beyond ? at[4] : at[4] - edge))
-        return false;
-    return lobe_sphere_inside(next) == !beyond && lobe_sphere_taken(next);
-}
-
-/* Uphill, along the axes and in random directions, in steps that shrink where none gains: the rows may have missed the
- * top, and it is often on a ridge. */
-static void climb(const lobe_sphere_shipped *s, const region *r, double row[5], double *error)
-{
-    lobe_random random;
-    double step = .02;
-    int way, k, halvings = 0;
-    lobe_random_seed(&random, 11, 0);
-    while (halvings < HALVINGS) {
-        bool gained = false;
-        for (way = 0; way < WAYS; way++) {
-            double direction[5] = {0, 0, 0, 0, 0}, next[5], e;
-            for (k = 0; way >= 10 && k < 5; k++)
-                direction[k] = 2 * lobe_random_unit(&random) - 1;
-            if (way < 10)
-                direction[way / 2] = way & 1 ? 1 : -1;
-            if (!step_from(row, direction, step, r->beyond, next))
-                continue;
-            e = error_at(s, lobe_truth_sphere_columns_fast, next);
-            if (e > *error) {
-                *error = e;
-                memcpy(row, next, sizeof next);
-                gained = true;
-            }
-        }
-        if (!gained) {
-            step *= .5;
-            halvings++;
-        }
-    }
-}
-
-static measured measure(const lobe_sphere_shipped *s, const region *r)
-{
-    measured m = {0};
-    double top[STARTS] = {0}, squares = 0;
-    size_t where[STARTS] = {0}, i;
-    int k, least;
-    for (i = 0; i < r->count; i++) {
-        const double e = fabs(s->call(r->rows + 5 * i) - r->truth[i]);
-        if (i < r->judged)
-            squares += e * e;
-        for (least = 0, k = 1; k < STARTS; k++)
-            least = top[k] < top[least] ? k : least;
-        if (e > top[least]) {
-            top[least] = e;
-            where[least] = i;
-        }
-    }
-    m.rms = sqrt(squares / (double)r->judged);
-    for (k = 0; k < STARTS; k++) {
-        double row[5];
-        memcpy(row, r->rows + 5 * where[k], sizeof row);
-        climb(s, r, row, &top[k]);
-        top[k] = error_at(s, lobe_truth_sphere_columns, row);
-        if (top[k] > m.max) {
-            m.max = top[k];
-            memcpy(m.at, row, sizeof row);
-        }
-    }
-    return m;
-}
-
-static bool region_make(region *r, bool beyond, const lobe_sweep_options *options)
-{
-    static const lobe_case fast = {
-        .name = "sphere_light_judged", .input_count = 5, .output_count = 1, .truth = lobe_truth_sphere_columns_fast};
-    const lobe_vector_set *set = &lobe_sphere_vectors;
-    r->beyond = beyond;
-    r->judged = beyond ? LOBE_SPHERE_JUDGED / 2 : LOBE_SPHERE_JUDGED;
-    r->rows = malloc(5 * (r->judged + LOBE_SPHERE_VECTORS) * sizeof *r->rows);
-    r->truth = malloc((r->judged + LOBE_SPHERE_VECTORS) * sizeof *r->truth);
-    if (!r->rows || !r->truth) {
-        fputs("lobefit: bounds: not enough memory\n", stderr);
-        return false;
-    }
-    lobe_sphere_judged(beyond, r->rows, r->judged);
-    r->count = r->judged + set->points(0, beyond, set->seed, r->rows + 5 * r->judged, LOBE_SPHERE_VECTORS);
-    lobe_truth_cached(&fast, r->rows, r->truth, r->count, options);
-    return true;
-}
-
-/* Three significant digits, never less than x. */
-static double rounded_up(double x)
-{
-    char text[40];
-    double unit;
-    if (!(x > 0))
-        return 0;
-    unit = pow(10, floor(log10(x)) - 2);
-    snprintf(text, sizeof text, "%.2e", ceil(x / unit * (1 - 1e-12)) * unit);
-    return atof(text);
-}
 
 static void put(FILE *f, const lobe_sphere_shipped *s, bool with_format, const char *suffix, double x)
 {
@@ -158,7 +25,7 @@ static void put(FILE *f, const lobe_sphere_shipped *s, bool with_format, const c
     fprintf(f, "_%s %.3g\n", suffix, x);
 }
 
-static void put_measured(FILE *f, const lobe_sphere_shipped *s, const measured *m, const char *where)
+static void put_measured(FILE *f, const lobe_sphere_shipped *s, const lobe_sphere_measured *m, const char *where)
 {
     fprintf(f, "/* %s, %s, %s: max %.6e at\n *   %.9g %.9g %.9g %.9g %.9g, rms %.6e */\n", s->tier, s->format, where,
             m->max, m->at[0], m->at[1], m->at[2], m->at[3], m->at[4], m->rms);
@@ -177,16 +44,21 @@ static void put_cells(FILE *f, const lobe_sphere_shipped *s, const lobe_sphere_h
                 " *   worst cell %.4f, energy %+.4f, over a punctual light where sine < alpha / 2 %.4f */\n",
                 s->tier, s->format, k ? "mixed" : "uniform", set[k].all, set[k].view60, set[k].view75, set[k].worst,
                 set[k].energy, set[k].excess);
-    put(f, s, true, "CELLS", rounded_up(worst.all));
-    put(f, s, true, "CELLS_VIEW60", rounded_up(worst.view60));
-    put(f, s, true, "CELLS_VIEW75", rounded_up(worst.view75));
-    put(f, s, true, "CELLS_ENERGY", rounded_up(fabs(worst.energy)));
-    put(f, s, true, "CELLS_EXCESS", rounded_up(worst.excess));
+    put(f, s, true, "CELLS", lobe_sphere_rounded_up(worst.all));
+    put(f, s, true, "CELLS_VIEW60", lobe_sphere_rounded_up(worst.view60));
+    put(f, s, true, "CELLS_VIEW75", lobe_sphere_rounded_up(worst.view75));
+    fprintf(f, "/* %s, %s, held-out cells, energy over even positions: worst cell %+.4f */\n", s->tier, s->format,
+            worst.integral);
+    put(f, s, true, "CELLS_ENERGY", lobe_sphere_rounded_up(fmax(fabs(worst.integral), fabs(set[1].energy))));
+    put(f, s, true, "CELLS_ENERGY_SAMPLED", lobe_sphere_rounded_up(fabs(worst.energy)));
+    put(f, s, true, "CELLS_EXCESS", lobe_sphere_rounded_up(worst.excess));
 }
 
-static bool put_shipped(FILE *f, const lobe_sphere_shipped *s, const region regions[2], const lobe_sphere_held *held)
+static bool put_shipped(FILE *f, const lobe_sphere_shipped *s, const lobe_sphere_region regions[2],
+                        const lobe_sphere_held *held)
 {
-    const measured in = measure(s, &regions[0]), out = measure(s, &regions[1]);
+    const lobe_sphere_measured in = lobe_sphere_measure(s->call, &regions[0]),
+                               out = lobe_sphere_measure(s->call, &regions[1]);
     if (lobe_interrupt_requested()) {
         fputs("lobefit: bounds sphere_light: interrupted; the old bounds stand\n", stderr);
         return false;
@@ -199,9 +71,9 @@ static bool put_shipped(FILE *f, const lobe_sphere_shipped *s, const region regi
     }
     put_measured(f, s, &in, "in the domain");
     put_measured(f, s, &out, "beyond it");
-    put(f, s, true, "MAX", rounded_up(in.max));
-    put(f, s, true, "RMS", rounded_up(in.rms));
-    put(f, s, true, "BELOW_MAX", rounded_up(out.max));
+    put(f, s, true, "MAX", lobe_sphere_rounded_up(in.max));
+    put(f, s, true, "RMS", lobe_sphere_rounded_up(in.rms));
+    put(f, s, true, "BELOW_MAX", lobe_sphere_rounded_up(out.max));
     put_cells(f, s, held);
     return true;
 }
@@ -218,20 +90,23 @@ static void put_head(FILE *f, const lobe_case *self)
             "down\n"
             " * to %.9g, where the truth ends, n_dot_v, down to %.9g, or sine, up to 1, is outside.\n"
             " * CELLS: relative L2 error on held-out cells (cases/sphere_light/cells.h), root of the mean square,\n"
-            " * the worse of two sets of positions; ENERGY of the worst cell. OPS: beyond a punctual light.\n"
+            " * the worse of two sets of positions; ENERGY of the worst cell, over 1000 even positions and\n"
+            " * over the mixed ones, SAMPLED over 200 uniform ones, where a single one can be all of the light. OPS: "
+            "beyond a punctual light.\n"
             " * Witnesses are roughness, n_dot_v, n_dot_l, tangent2, sine. Macros are rounded up. */\n",
             self->brdf, self->accuracy, LOBE_SPHERE_ROUGHNESS_LO, LOBE_SPHERE_N_DOT_V_LO, LOBE_SPHERE_SINE_HI,
-            LOBE_SPHERE_JUDGED, STARTS, LOBE_SPHERE_ROUGHNESS_LEAST, LOBE_SPHERE_N_DOT_V_LEAST);
+            LOBE_SPHERE_JUDGED, LOBE_SPHERE_STARTS, LOBE_SPHERE_ROUGHNESS_LEAST, LOBE_SPHERE_N_DOT_V_LEAST);
 }
 
 static bool write_all(const lobe_case *self, const lobe_fit_request *request)
 {
-    region regions[2] = {{.rows = NULL}};
+    lobe_sphere_region regions[2] = {{.rows = NULL}};
     lobe_sphere_held held = {.ready = false};
     lobe_atomic_file file;
     char path[4200];
     int i;
-    bool good = region_make(&regions[0], false, &request->sweep) && region_make(&regions[1], true, &request->sweep) &&
+    bool good = lobe_sphere_region_make(&regions[0], false, &lobe_sphere_radiance, &request->sweep) &&
+                lobe_sphere_region_make(&regions[1], true, &lobe_sphere_radiance, &request->sweep) &&
                 lobe_sphere_held_make(&held, &request->sweep);
     snprintf(path, sizeof path, "%s/sphere_light_bounds.h", request->coeffs);
     if (good && (good = lobe_atomic_open(&file, path))) {
@@ -244,10 +119,8 @@ static bool write_all(const lobe_case *self, const lobe_fit_request *request)
             lobe_atomic_abandon(&file);
     }
     lobe_sphere_held_free(&held);
-    for (i = 0; i < 2; i++) {
-        free(regions[i].rows);
-        free(regions[i].truth);
-    }
+    for (i = 0; i < 2; i++)
+        lobe_sphere_region_free(&regions[i]);
     return good;
 }
 

@@ -39,19 +39,23 @@ static void place(double *row, double alpha, bool uniform, uint64_t *state)
     }
 }
 
-static void truth_rows(const double *in, double *out, size_t n)
+static void rows_of(const double *in, double *out, size_t n, double f0)
 {
     size_t i;
     for (i = 0; i < n; i++, in += 5) {
-        const lobe_sphere_scene s = {in[0] * in[0], in[1], in[2], in[3], in[4], 1};
+        const lobe_sphere_scene s = {in[0] * in[0], in[1], in[2], in[3], in[4], f0};
         out[i] = lobe_truth_sphere_stretched(&s, 1e-6);
     }
 }
+static void truth_rows(const double *in, double *out, size_t n) { rows_of(in, out, n, 1); }
+static void dark_rows(const double *in, double *out, size_t n) { rows_of(in, out, n, 0); }
 
 double lobe_sphere_cell_view(const lobe_sphere_cells *cells, int cell) { return views[cells->held][cell % VIEWS]; }
 
 /* At another tolerance than the case's own truth, so under another name. */
 static const lobe_case kept = {.name = "sphere_light_cells", .input_count = 5, .output_count = 1, .truth = truth_rows};
+static const lobe_case kept_dark = {
+    .name = "sphere_light_dark", .input_count = 5, .output_count = 1, .truth = dark_rows};
 
 bool lobe_sphere_cells_make(lobe_sphere_cells *cells, bool held, bool mixed, const lobe_sweep_options *options)
 {
@@ -59,6 +63,7 @@ bool lobe_sphere_cells_make(lobe_sphere_cells *cells, bool held, bool mixed, con
     int i;
     cells->held = held;
     cells->mixed = mixed;
+    cells->dark = NULL;
     cells->in = malloc(5 * LOBE_SPHERE_COUNT * sizeof *cells->in);
     cells->truth = malloc(LOBE_SPHERE_COUNT * sizeof *cells->truth);
     if (!cells->in || !cells->truth)
@@ -76,9 +81,18 @@ bool lobe_sphere_cells_make(lobe_sphere_cells *cells, bool held, bool mixed, con
     return true;
 }
 
+bool lobe_sphere_cells_add_dark(lobe_sphere_cells *cells, const lobe_sweep_options *options)
+{
+    cells->dark = malloc(LOBE_SPHERE_COUNT * sizeof *cells->dark);
+    if (cells->dark)
+        lobe_truth_cached(&kept_dark, cells->in, cells->dark, LOBE_SPHERE_COUNT, options);
+    return cells->dark != NULL;
+}
+
 void lobe_sphere_cells_free(lobe_sphere_cells *cells)
 {
     free(cells->in);
     free(cells->truth);
-    cells->in = cells->truth = NULL;
+    free(cells->dark);
+    cells->in = cells->truth = cells->dark = NULL;
 }

@@ -13,6 +13,7 @@ typedef struct lobe_sphere_cells {
     bool held, mixed;
     double *in;    /* rows of roughness, n_dot_v, n_dot_l, azimuth, half angle */
     double *truth; /* to 2e-6 */
+    double *dark;  /* the same under Schlick with F0 = 0, where lobe_sphere_cells_add_dark was called */
 } lobe_sphere_cells;
 
 /* The view of a cell, in degrees. */
@@ -20,6 +21,11 @@ double lobe_sphere_cell_view(const lobe_sphere_cells *cells, int cell);
 
 /* false: no memory. The truth takes some ten seconds on one processor, and is kept in build/truth. */
 bool lobe_sphere_cells_make(lobe_sphere_cells *cells, bool held, bool mixed, const lobe_sweep_options *options);
+
+/* The truth under Schlick with F0 = 0, at the same price; that of any F0 is f0 truth + (1 - f0) dark. false: no memory.
+ */
+bool lobe_sphere_cells_add_dark(lobe_sphere_cells *cells, const lobe_sweep_options *options);
+
 void lobe_sphere_cells_free(lobe_sphere_cells *cells);
 
 #endif

@@ -1,112 +1,55 @@
-/* Differential evolution over every tenth position finds a basin, Levenberg-Marquardt over all of them its bottom; the
- * lowest of a few such searches is taken, since the kernels' maxima make small basins of their own. */
 #define LOBE_DOUBLE 1
 #define LOBE_FIT 1
 #include "fit.h"
-#include <math.h>
 #include <stdlib.h>
-#include <string.h>
 #include "../fit/coefficients.h"
-#include "../fit/differential_evolution.h"
-#include "../fit/fit_command.h"
-#include "../fit/least_squares.h"
-#include "../fit/parallel.h"
-#include "../fit/progress.h"
-#include "judge.h"
+#include "lit_fit.h"
 #include "objective.h"
 #include "row.h"
+#include "solve.h"
 
-enum { THINNED = 10 };
-
-static bool explain(const lobe_sphere_tier *tier, const lobe_fit_result *r)
+bool lobe_sphere_fit_cells(lobe_sphere_cells cells[2], const lobe_fit_request *request)
 {
-    if (r->status == LOBE_FIT_CONVERGED || r->status == LOBE_FIT_STALLED)
+    lobe_sweep_options sweep = request->sweep;
+    sweep.label = "truth of the fit cells";
+    if (lobe_sphere_cells_make(&cells[0], false, false, &sweep) &&
+        lobe_sphere_cells_make(&cells[1], false, true, &sweep))
         return true;
-    fprintf(stderr, "lobefit: fit sphere_light %s: %s: %s; the old coefficients stand\n", tier->name,
-            lobe_fit_status_name(r->status), r->reason);
+    fputs("lobefit: fit: not enough memory\n", stderr);
     return false;
 }
 
-static size_t threads_of(const lobe_fit_request *request)
+bool lobe_sphere_tier_solve(const lobe_sphere_tier *tier, const lobe_sphere_cells cells[2],
+                            const lobe_fit_request *request, double *c)
 {
-    return request->sweep.threads < LOBE_PARALLEL_MAX ? (size_t)request->sweep.threads : LOBE_PARALLEL_MAX;
+    lobe_sphere_problem thinned, whole;
+    lobe_sphere_task task = {.name = tier->name,
+                             .count = tier->count,
+                             .box = tier->box,
+                             .searches = tier->searches,
+                             .generations = tier->generations,
+                             .seed = tier->seed,
+                             .sum = lobe_sphere_sum,
+                             .residuals = lobe_sphere_residuals,
+                             .thinned = &thinned,
+                             .whole = &whole};
+    bool good = lobe_sphere_problem_make(&thinned, tier, cells, LOBE_SPHERE_THINNED);
+    good = lobe_sphere_problem_make(&whole, tier, cells, 1) && good;
+    task.rows = whole.rows;
+    if (!good)
+        fputs("lobefit: fit: not enough memory\n", stderr);
+    good = good && lobe_sphere_solve(&task, request, c);
+    lobe_sphere_problem_free(&thinned);
+    lobe_sphere_problem_free(&whole);
+    return good;
 }
 
-/* The basin. */
-static bool search(const lobe_sphere_tier *tier, const lobe_sphere_cells cells[2], const lobe_fit_request *request,
-                   uint64_t seed, lobe_progress_line *line, double *c)
+int lobe_sphere_score_text(const lobe_sphere_score score[2], char *text, size_t size)
 {
-    lobe_sphere_problem problem;
-    lobe_parallel parallel = {lobe_sphere_sum, &problem, tier->count, 1, threads_of(request)};
-    lobe_objective objective = {.f = lobe_parallel_eval, .ctx = &parallel, .dim = tier->count};
-    lobe_de_options o = lobe_de_default();
-    lobe_fit_result result;
-    double lower[LOBE_SPHERE_MOST], upper[LOBE_SPHERE_MOST];
-    size_t i;
-    for (i = 0; i < tier->count; i++) {
-        lower[i] = tier->box[i][0];
-        upper[i] = tier->box[i][1];
-    }
-    objective.lower = lower;
-    objective.upper = upper;
-    o.population = 8 * tier->count;
-    o.seed = seed;
-    o.budget = o.population * (tier->generations + 1);
-    o.progress = lobe_progress_print;
-    o.progress_ctx = line;
-    if (!lobe_sphere_problem_make(&problem, tier, cells, THINNED))
-        result = lobe_fit_no_memory();
-    else
-        result = lobe_differential_evolution(&objective, &o, c);
-    lobe_progress_finish(line);
-    lobe_sphere_problem_free(&problem);
-    /* this search is over when its generations are */
-    return result.status == LOBE_FIT_BUDGET || explain(tier, &result);
-}
-
-/* Its bottom, and how deep that is. */
-static bool polish(const lobe_sphere_tier *tier, const lobe_sphere_cells cells[2], const lobe_fit_request *request,
-                   lobe_progress_line *line, double *c, double *value)
-{
-    lobe_sphere_problem problem;
-    lobe_parallel parallel = {lobe_sphere_residuals, &problem, tier->count, 0, threads_of(request)};
-    lobe_residuals residuals = {.f = lobe_parallel_eval, .ctx = &parallel, .dim = tier->count};
-    lobe_ls_options o = lobe_ls_default();
-    lobe_fit_result result;
-    o.value_tolerance = 1e-14;
-    o.step_tolerance = 1e-12;
-    o.budget = 3000;
-    o.progress = lobe_progress_print;
-    o.progress_ctx = line;
-    if (!lobe_sphere_problem_make(&problem, tier, cells, 1)) {
-        result = lobe_fit_no_memory();
-    } else {
-        parallel.width = residuals.rows = problem.rows;
-        result = lobe_least_squares(&residuals, &o, c);
-    }
-    lobe_progress_finish(line);
-    lobe_sphere_problem_free(&problem);
-    *value = result.value;
-    return explain(tier, &result);
-}
-
-static bool solve(const lobe_sphere_tier *tier, const lobe_sphere_cells cells[2], const lobe_fit_request *request,
-                  double *c)
-{
-    lobe_progress_line line = lobe_progress_line_default();
-    double tried[LOBE_SPHERE_MOST], value, best = HUGE_VAL;
-    uint64_t i;
-    line.out = request->sweep.progress ? stderr : NULL;
-    for (i = 0; i < tier->searches; i++) {
-        if (!search(tier, cells, request, tier->seed + i, &line, tried) ||
-            !polish(tier, cells, request, &line, tried, &value))
-            return false;
-        if (value < best) {
-            best = value;
-            memcpy(c, tried, tier->count * sizeof *c);
-        }
-    }
-    return true;
+    return snprintf(text, size,
+                    "uniform / mixed positions: all cells %.4g / %.4g, worst cell %.3g / %.3g,\n"
+                    " *          energy %+.3g / %+.3g, on those cells, in double",
+                    score[0].all, score[1].all, score[0].worst, score[1].worst, score[0].energy, score[1].energy);
 }
 
 /* On the fit cells, as text of the generated header. */
@@ -124,49 +67,49 @@ static bool judge(const lobe_sphere_tier *tier, const lobe_sphere_cells cells[2]
         lobe_sphere_judge_values(y, &cells[set], &score[set]);
     }
     if (y && score)
-        snprintf(text, size,
-                 "uniform / mixed positions: all cells %.4g / %.4g, worst cell %.3g / %.3g,\n"
-                 " *          energy %+.3g / %+.3g, on those cells, in double",
-                 score[0].all, score[1].all, score[0].worst, score[1].worst, score[0].energy, score[1].energy);
+        lobe_sphere_score_text(score, text, size);
     free(y);
     free(score);
     return y && score;
 }
 
+bool lobe_sphere_fitted_write(const lobe_case *self, const lobe_fit_request *request, const lobe_sphere_fitted *fitted)
+{
+    lobe_coefficients out = {0};
+    char metric[200];
+    snprintf(metric, sizeof metric,
+             "relative L2 error of a cell over its positions, rms over the cells; cases/sphere_light/%s",
+             fitted->tiers);
+    out.model = "sphere_light";
+    out.tier = fitted->tier;
+    out.brdf = self->brdf;
+    out.domain = "alpha .05 to 1, half angle 1 to 45 degrees, view 0 to 85 degrees, lights above and through\n"
+                 " *          the horizon";
+    out.grid = "294 cells of 200 light positions, uniform and mixed: cases/sphere_light/cells.h";
+    out.metric = metric;
+    out.error = fitted->error;
+    out.seed = fitted->seed;
+    out.kernel = fitted->kernel;
+    out.source = fitted->source;
+    out.values = fitted->values;
+    out.count = fitted->count;
+    return lobe_coefficients_write(&out, request->coeffs);
+}
+
 static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, const lobe_sphere_tier *tier)
 {
     lobe_sphere_cells cells[2] = {{.in = NULL}};
-    lobe_sweep_options sweep = request->sweep;
-    lobe_coefficients out = {0};
     double c[LOBE_SPHERE_MOST];
-    char error[400];
-    size_t i;
-    bool good;
-    sweep.label = "truth of the fit cells";
-    good = lobe_sphere_cells_make(&cells[0], false, false, &sweep) &&
-           lobe_sphere_cells_make(&cells[1], false, true, &sweep);
-    if (!good)
-        fputs("lobefit: fit: not enough memory\n", stderr);
-    good = good && solve(tier, cells, request, c);
-    for (i = 0; good && i < tier->count; i++)
-        c[i] = lobe_coefficient_rounded(c[i]);
-    if (good && (good = judge(tier, cells, c, error, sizeof error))) {
-        out.model = "sphere_light";
-        out.tier = tier->name;
-        out.brdf = self->brdf;
-        out.domain = "alpha .05 to 1, half angle 1 to 45 degrees, view 0 to 85 degrees, lights above and through\n"
-                     " *          the horizon";
-        out.grid = "294 cells of 200 light positions, uniform and mixed: cases/sphere_light/cells.h";
-        out.metric =
-            "relative L2 error of a cell over its positions, rms over the cells; cases/sphere_light/fit_tiers.h";
-        out.error = error;
-        out.seed = tier->seed;
-        out.kernel = tier->kernel;
-        out.source = tier->source;
-        out.values = c;
-        out.count = tier->count;
-        good = lobe_coefficients_write(&out, request->coeffs);
-    }
+    lobe_sphere_fitted fitted = {.tier = tier->name,
+                                 .kernel = tier->kernel,
+                                 .source = tier->source,
+                                 .tiers = "fit_tiers.h",
+                                 .seed = tier->seed,
+                                 .values = c,
+                                 .count = tier->count};
+    const bool good = lobe_sphere_fit_cells(cells, request) && lobe_sphere_tier_solve(tier, cells, request, c) &&
+                      judge(tier, cells, c, fitted.error, sizeof fitted.error) &&
+                      lobe_sphere_fitted_write(self, request, &fitted);
     lobe_sphere_cells_free(&cells[0]);
     lobe_sphere_cells_free(&cells[1]);
     return good;
@@ -174,19 +117,16 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, con
 
 static bool fit_low(const lobe_case *self, const lobe_fit_request *request)
 {
-    return fit_tier(self, request, lobe_sphere_tier_at(0));
+    return fit_tier(self, request, lobe_sphere_tier_named("low"));
 }
 static bool fit_medium(const lobe_case *self, const lobe_fit_request *request)
 {
-    return fit_tier(self, request, lobe_sphere_tier_at(1));
-}
-static bool fit_high(const lobe_case *self, const lobe_fit_request *request)
-{
-    return fit_tier(self, request, lobe_sphere_tier_at(2));
+    return fit_tier(self, request, lobe_sphere_tier_named("medium"));
 }
 
 int lobe_sphere_fit(const lobe_case *self, int argc, char **argv)
 {
-    static const lobe_fit_tier all[] = {{"low", fit_low}, {"medium", fit_medium}, {"high", fit_high}};
+    static const lobe_fit_tier all[] = {
+        {"low", fit_low}, {"medium", fit_medium}, {"high", lobe_sphere_fit_high}, {"schlick", lobe_sphere_fit_schlick}};
     return lobe_fit_command(self, all, (int)(sizeof all / sizeof all[0]), argc, argv);
 }

@@ -1,4 +1,5 @@
-/* What is fitted of sphere_light, and towards what. All that one would change about a fit is in fit_tiers.c. */
+/* What is fitted of low and medium, and towards what. All that one would change about a fit is in fit_tiers.c; high is
+ * fitted with its Fresnel, in lit_tiers.c. */
 #ifndef LOBE_SPHERE_LIGHT_FIT_TIERS_H
 #define LOBE_SPHERE_LIGHT_FIT_TIERS_H
 #include <stddef.h>
@@ -28,5 +29,6 @@ typedef struct lobe_sphere_tier {
 
 /* The i-th, or NULL past the end. */
 const lobe_sphere_tier *lobe_sphere_tier_at(int i);
+const lobe_sphere_tier *lobe_sphere_tier_named(const char *name);
 
 #endif

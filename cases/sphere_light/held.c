@@ -29,6 +29,10 @@ bool lobe_sphere_held_make(lobe_sphere_held *held, const lobe_sweep_options *opt
             to[4] = light.sine;
         }
     }
+    if (!lobe_sphere_even_make(&held->even, &held->cells[0], options)) {
+        fputs("lobefit: not enough memory for even positions\n", stderr);
+        return false;
+    }
     return true;
 }
 
@@ -39,6 +43,8 @@ void lobe_sphere_held_free(lobe_sphere_held *held)
         lobe_sphere_cells_free(&held->cells[set]);
         free(held->columns[set]);
     }
+    if (held->ready)
+        lobe_sphere_even_free(&held->even);
     held->ready = false;
 }
 
@@ -56,7 +62,7 @@ static void judge(const lobe_sphere_held *held, int set, double (*call)(const do
 void lobe_sphere_held_judge(const lobe_sphere_held *held, double (*call)(const double row[5]),
                             lobe_sphere_figures figures[2])
 {
-    static const lobe_sphere_figures unknown = {NAN, NAN, NAN, NAN, NAN, NAN};
+    static const lobe_sphere_figures unknown = {NAN, NAN, NAN, NAN, NAN, NAN, NAN};
     double *values = malloc(LOBE_SPHERE_COUNT * sizeof *values);
     lobe_sphere_score *score = malloc(2 * sizeof *score);
     int set;
@@ -72,6 +78,7 @@ void lobe_sphere_held_judge(const lobe_sphere_held *held, double (*call)(const d
         f->view75 = score[1].view75;
         f->worst = score[1].worst;
         f->energy = score[1].energy;
+        f->integral = set ? figures[0].integral : lobe_sphere_even_energy(&held->even, call);
         f->excess = lobe_sphere_excess(&score[1], &score[0], &held->cells[set]);
     }
     free(values);
@@ -86,6 +93,7 @@ lobe_sphere_figures lobe_sphere_figures_worse(const lobe_sphere_figures *a, cons
     worse.view75 = fmax(a->view75, b->view75);
     worse.worst = fmax(a->worst, b->worst);
     worse.energy = fabs(a->energy) > fabs(b->energy) ? a->energy : b->energy;
+    worse.integral = a->integral;
     worse.excess = fmax(a->excess, b->excess);
     return worse;
 }

@@ -4,16 +4,19 @@
 #define LOBE_SPHERE_LIGHT_HELD_H
 #include <stdbool.h>
 #include "cells.h"
+#include "even.h"
 
 typedef struct lobe_sphere_figures {
     double all, view60, view75, worst, energy; /* as in lobe_sphere_score */
     double excess;                             /* over the punctual light, lobe_sphere_excess */
+    double integral;                           /* energy over even positions, lobe_sphere_even_energy */
 } lobe_sphere_figures;
 
 typedef struct lobe_sphere_held {
     bool ready;
     lobe_sphere_cells cells[2]; /* uniform, mixed */
     double *columns[2];         /* the cells' rows as columns, not rounded */
+    lobe_sphere_even even;
 } lobe_sphere_held;
 
 /* false after a line on stderr: no memory. Free it either way. */

@@ -52,6 +52,25 @@ void lobe_sphere_judge_values(const double *values, const lobe_sphere_cells *cel
     score->view75 = sqrt(view75 / count75);
 }
 
+void lobe_sphere_judge_lit(const double *radiance, const double *schlick, double f0, const lobe_sphere_cells *cells,
+                           lobe_sphere_score *score)
+{
+    lobe_sphere_cells dimmed = *cells;
+    double *values = malloc(2 * LOBE_SPHERE_COUNT * sizeof *values);
+    int i;
+    if (!values) {
+        score->all = score->view60 = score->view75 = NAN;
+        return;
+    }
+    dimmed.truth = values + LOBE_SPHERE_COUNT;
+    for (i = 0; i < LOBE_SPHERE_COUNT; i++) {
+        values[i] = radiance[i] * (f0 + (1 - f0) * schlick[i]);
+        dimmed.truth[i] = f0 * cells->truth[i] + (1 - f0) * cells->dark[i];
+    }
+    lobe_sphere_judge_values(values, &dimmed, score);
+    free(values);
+}
+
 double lobe_sphere_excess(const lobe_sphere_score *score, const lobe_sphere_score *base, const lobe_sphere_cells *cells)
 {
     double excess = 0;

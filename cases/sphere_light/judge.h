@@ -18,6 +18,11 @@ void lobe_sphere_judge(const lobe_sphere_candidate *candidate, const lobe_sphere
 /* The same of values that are there already, a row of the cells each. */
 void lobe_sphere_judge_values(const double *values, const lobe_sphere_cells *cells, lobe_sphere_score *score);
 
+/* The same under Schlick with reflectance f0, of radiance and schlick apart; the cells have their dark truth. All is
+ * NAN where there is no memory. */
+void lobe_sphere_judge_lit(const double *radiance, const double *schlick, double f0, const lobe_sphere_cells *cells,
+                           lobe_sphere_score *score);
+
 /* How much worse than base in a cell with sin(half angle) / alpha < 1/2, at most; not below 0. */
 double lobe_sphere_excess(const lobe_sphere_score *score, const lobe_sphere_score *base,
                           const lobe_sphere_cells *cells);

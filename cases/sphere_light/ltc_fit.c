@@ -173,9 +173,9 @@ static lobe_nm_options search_options(void)
 {
     lobe_nm_options o = lobe_nm_default();
     o.size = .05;
-    o.restarts = 2;
-    o.value_tolerance = 1e-9;
-    o.size_tolerance = 1e-6;
+    o.restarts = 0;
+    o.value_tolerance = 1e-5;
+    o.size_tolerance = 1e-3; /* finer changes no digit of the judgement */
     o.budget = 1200;
     return o;
 }

@@ -70,7 +70,7 @@ result $status "sphere_light: three tiers in two formats, inside and beyond, wit
 grep -hv '^#' "$work/s/sphere_light.low.f32.vec" "$work/s/sphere_light.low.f32.beyond.vec" | awk 'NR % 9 == 1' > "$work/rows"
 awk '{ sv = sqrt(1 - $2 * $2); sl = sqrt(1 - $3 * $3); hi = (sv + sl) ^ 2 / 4 - $4; lo = $4 - (sv - sl) ^ 2 / 4
        printf "%.17g %.17g %.17g %.17g %.17g\n", $1, $2, $3, 2 * atan2(sqrt(hi > 0 ? hi : 0), sqrt(lo > 0 ? lo : 0)),
-              atan2($5, sqrt(1 - $5 * $5)) }' "$work/rows" | sed 's/3\.14159265358979[0-9]*/3.141592653589793/' |
+              atan2($5, sqrt(1 - $5 * $5)) }' "$work/rows" | sed 's/3\.14159265358979[0-9]*/3.141592653589793/; s/1\.5707963267948[0-9]*$/1.570796326794896/' |
     "$lobefit" truth sphere_light > "$work/truth" && paste -d' ' "$work/rows" "$work/truth" |
     awk '{ n++; d = $6 - $7; if (d < 0) d = -d; if (d > 1e-6 * $7) bad = 1 } END { exit bad || n < 100 }'
 result $? "sphere_light: outputs are what lobefit truth says at the angles"

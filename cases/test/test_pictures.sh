@@ -1,7 +1,7 @@
 #!/bin/sh
 # The pictures' program: the same bytes for any number of threads, a file that appears whole or not at all.
 : "${B:=build}"
-${MAKE:-make} -s "$B/pictures" || exit 1
+${MAKE:-make} -s "$B/pictures" "$B/lights_picture" || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 n=0 failed=0
@@ -34,5 +34,14 @@ refused "a bad map" "text.hdr: byte 0: found" --size 12 "$work/bad.png" "$work/t
 refused "no threads" "'--threads': --threads takes 1 to" --threads 0 "$work/bad.png"
 refused "no output" "usage:"
 refused "a folder that is not there" "cannot open for writing" --size 12 "$work/none/x.png"
+for threads in 1 3; do
+    "$B/lights_picture" --size 16 --threads $threads "$work/lights$threads.png" >"$work/out" 2>&1
+    result $? "small lights with $threads threads"
+done
+cmp "$work/lights1.png" "$work/lights3.png"
+result $? "the lights' bytes do not depend on the threads"
+"$B/lights_picture" --size 7 "$work/bad.png" 2>"$work/err"
+[ $? -eq 2 ] && grep -q -- "--size 8 to 1024" "$work/err" && [ ! -e "$work/bad.png" ]
+result $? "lights too small are refused"
 echo "1..$n"
 [ $failed -eq 0 ]

@@ -48,7 +48,9 @@ for threads in 1 2; do
     same "sphere_diffuse, $threads threads" coeffs/sphere_diffuse_low.h coeffs/sphere_diffuse_medium.h
     "$lobefit" fit sphere_light --out "$work" --threads $threads
     same "sphere_light, $threads threads" coeffs/sphere_light_low.h coeffs/sphere_light_medium.h \
-        coeffs/sphere_light_high.h
+        coeffs/sphere_light_high.h coeffs/sphere_light_schlick.h
+    "$lobefit" fit capsule_light --tier low --out "$work" --threads $threads
+    same "capsule_light low, $threads threads" coeffs/capsule_light_low.h
     rm -rf "$work/coeffs" "$work/tables"
 done
 
@@ -68,10 +70,16 @@ same "diffuse_sh, bounds" coeffs/diffuse_sh_bounds.h
 "$lobefit" vectors diffuse_sh --out "$work/vectors" && status=0 || status=1
 for file in vectors/diffuse_sh.*.vec; do cmp "$file" "$work/$file" || status=1; done
 result $status "diffuse_sh, vectors"
-# Its bounds take two minutes and are left to make fit.
+# Their bounds take minutes and are left to make fit.
+"$lobefit" vectors capsule_light --out "$work/vectors" && status=0 || status=1
+for file in vectors/capsule_light.*.vec; do cmp "$file" "$work/$file" || status=1; done
+result $status "capsule_light, vectors"
 "$lobefit" vectors sphere_light --out "$work/vectors" && status=0 || status=1
 for file in vectors/sphere_light.*.vec; do cmp "$file" "$work/$file" || status=1; done
 result $status "sphere_light, vectors"
+"$lobefit" vectors sphere_light_schlick --out "$work/vectors" && status=0 || status=1
+for file in vectors/sphere_light_schlick.*.vec; do cmp "$file" "$work/$file" || status=1; done
+result $status "sphere_light_schlick, vectors"
 "$lobefit" bounds sphere_diffuse --out "$work"
 same "sphere_diffuse, bounds" coeffs/sphere_diffuse_bounds.h
 "$lobefit" vectors sphere_diffuse --out "$work/vectors" && status=0 || status=1
@@ -79,7 +87,7 @@ for file in vectors/sphere_diffuse.*.vec; do cmp "$file" "$work/$file" || status
 result $status "sphere_diffuse, vectors"
 
 refused "fit of an unknown tier" "no fit of tier 'tiny'; there are: low" fit energy --tier tiny
-refused "fit of an unknown tier of a light" "sphere_light has no fit of tier 'tiny'; there are: low medium high" \
+refused "fit of an unknown tier of a light" "sphere_light has no fit of tier 'tiny'; there are: low medium high schlick" \
     fit sphere_light --tier tiny
 refused "fit with an unknown option" "unknown option '--fast'" fit energy --fast
 refused "fit without a value" "tier needs a value" fit energy --tier

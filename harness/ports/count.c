@@ -71,6 +71,13 @@ typedef lobe_vec3_f32 radiance_f32(float, lobe_vec3_f32, lobe_vec3_f32, const lo
 typedef lobe_vec3_q16 radiance_q30(int32_t, lobe_vec3_q30, lobe_vec3_q30, const lobe_lighting_q16 *);
 typedef float sphere_f32(float, lobe_sphere_f32);
 typedef lobe_scaled_q30 sphere_q30(int32_t, lobe_sphere_q30);
+typedef lobe_sphere_lit_f32 lit_f32(float, lobe_sphere_f32);
+typedef lobe_sphere_lit_q30 lit_q30(int32_t, lobe_sphere_q30);
+typedef int32_t schlick_q30(int32_t, lobe_sphere_q30);
+typedef float sg_f32(float, lobe_sg_f32);
+typedef lobe_scaled_q30 sg_q30(int32_t, lobe_sg_q30);
+typedef float capsule_f32(float, lobe_capsule_f32);
+typedef lobe_scaled_q30 capsule_q30(int32_t, lobe_capsule_q30);
 typedef lobe_scaled_q30 sphere_diffuse_q30(int32_t, int32_t);
 
 typedef struct function {
@@ -112,10 +119,26 @@ LOOP(sh9_q30, int32_t, AT(q).c[8])
 LOOP(radiance_f32, float, RADIANCE(f, 1.0f, f32))
 LOOP(radiance_q30, int32_t, RADIANCE(q, LOBE_ONE_Q30, q30))
 /* Half a radian, the light's centre 45 degrees up. */
-LOOP(sphere_f32, float,
-     called(roughness[i].f, (lobe_sphere_f32){n_dot_v[i].f, 0.70710678f, 0.1f, 0.47942554f, 0.12241744f}))
-LOOP(sphere_q30, int32_t,
-     called(roughness[i].q, (lobe_sphere_q30){n_dot_v[i].q, 759250125, 107374182, 514780862}).mantissa)
+#define SPHERE_LIGHT_F32                                                                                               \
+    (lobe_sphere_f32) { n_dot_v[i].f, 0.70710678f, 0.1f, 0.47942554f, 0.12241744f }
+#define SPHERE_LIGHT_Q30                                                                                               \
+    (lobe_sphere_q30) { n_dot_v[i].q, 759250125, 107374182, 514780862 }
+LOOP(sphere_f32, float, called(roughness[i].f, SPHERE_LIGHT_F32))
+LOOP(sphere_q30, int32_t, called(roughness[i].q, SPHERE_LIGHT_Q30).mantissa)
+LOOP(lit_f32, float, called(roughness[i].f, SPHERE_LIGHT_F32).schlick)
+LOOP(lit_q30, int32_t, called(roughness[i].q, SPHERE_LIGHT_Q30).schlick)
+LOOP(schlick_q30, int32_t, called(roughness[i].q, SPHERE_LIGHT_Q30))
+/* A tube of radius a tenth across the mirror's side, at the distance 1. */
+/* Sharpness 32, the axis 45 degrees up. */
+LOOP(sg_f32, float, called(roughness[i].f, (lobe_sg_f32){n_dot_v[i].f, 0.70710678f, 0.1f, 0.03125f}))
+LOOP(sg_q30, int32_t,
+     called(roughness[i].q, (lobe_sg_q30){n_dot_v[i].q, 759250125, 107374182, 33554432}).mantissa)
+LOOP(capsule_f32, float,
+     called(roughness[i].f, (lobe_capsule_f32){n_dot_v[i].f, {-0.8f, 0.0f, 0.6f}, {0.1f, 0.5f, 0.0f}, 0.1f}))
+LOOP(capsule_q30, int32_t,
+     called(roughness[i].q,
+            (lobe_capsule_q30){n_dot_v[i].q, {-858993459, 0, 644245094}, {107374182, 536870912, 0}, 107374182})
+         .mantissa)
 LOOP(sphere_diffuse_q30, int32_t, called(roughness[i].q, n_dot_v[i].q).mantissa)
 
 /* Returns at once, whatever it is called as. One instruction; with its call two. */
@@ -141,6 +164,14 @@ enum { CALL_AND_RETURN = 2 };
 #define SH9_CONSTANT_Q30(model, tier, bounds) SH9_Q30(model, tier, bounds)
 #define SPHERE_F32(model, tier, bounds) FUNCTION(#model, tier, F32, sphere_f32, lobe_##model##_##tier##_f32)
 #define SPHERE_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, sphere_q30, lobe_##model##_##tier##_q30)
+#define SG_F32(model, tier, bounds) FUNCTION(#model, tier, F32, sg_f32, lobe_##model##_##tier##_f32)
+#define SG_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, sg_q30, lobe_##model##_##tier##_q30)
+#define SCHLICK_F32(model, tier, bounds, kernel) FUNCTION(#model, tier, F32, sphere_f32, kernel##_f32)
+#define SCHLICK_Q30(model, tier, bounds, kernel) FUNCTION(#model, tier, Q30, schlick_q30, kernel##_q30)
+#define LIT_F32(model, tier, bounds, kernel) FUNCTION(#model, tier, F32, lit_f32, kernel##_f32)
+#define LIT_Q30(model, tier, bounds, kernel) FUNCTION(#model, tier, Q30, lit_q30, kernel##_q30)
+#define CAPSULE_F32(model, tier, bounds) FUNCTION(#model, tier, F32, capsule_f32, lobe_##model##_##tier##_f32)
+#define CAPSULE_Q30(model, tier, bounds) FUNCTION(#model, tier, Q30, capsule_q30, lobe_##model##_##tier##_q30)
 #define SPHERE_DIFFUSE_F32(model, tier, bounds) FUNCTION(#model, tier, F32, energy_f32, lobe_##model##_##tier##_f32)
 #define SPHERE_DIFFUSE_Q30(model, tier, bounds)                                                                        \
     FUNCTION(#model, tier, Q30, sphere_diffuse_q30, lobe_##model##_##tier##_q30)

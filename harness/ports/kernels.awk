@@ -2,8 +2,8 @@
 #
 #   awk -v want=list|glsl|cl|c [-v kernel=NAME] -f kernels.awk harness/registry_rows.h HEADER...
 #
-# A kernel is a LOBE_FN named lobe_MODEL_TIER, where the registry (the first file) has a row of that model and tier in
-# f32; its inputs are scalars, or a struct S that LOBE_FN S_of makes of scalars, which are then the inputs. Tables have no kernel: they are texture fetches; nor has a tier without inputs, a constant.
+# A kernel is a LOBE_FN named lobe_MODEL_TIER, or as the fourth column says, where the registry (the first file) has a row
+# of that model and tier in f32; its inputs are scalars, or a struct S that LOBE_FN S_of makes of scalars, which are then the inputs. Tables have no kernel: they are texture fetches; nor has a tier without inputs, a constant.
 #   list  a line a kernel: name, number of inputs, number of outputs
 #   glsl  main of a compute shader for `kernel`; cl: an OpenCL kernel `run`; both go behind the shader text
 #   c     host wrappers over arrays and a table of them
@@ -15,7 +15,8 @@ file == 1 {
         row = $0
         sub(/^[A-Z0-9_]+\(/, "", row)
         split(row, word, /, */)
-        registered["lobe_" word[1] "_" word[2]] = 1
+        sub(/\).*/, "", word[4])
+        registered[word[4] != "" ? word[4] : "lobe_" word[1] "_" word[2]] = 1
     }
     next
 }

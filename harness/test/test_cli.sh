@@ -23,9 +23,13 @@ answers() {
     names=$("$lobecheck" list | awk -v model="$1" '$1 == model { print $9; exit }' | tr ',' ' ')
     count=$(echo "${names%%->*}" | wc -w)
     case $1 in
-    sphere_light)
+    sphere_light | sphere_light_schlick)
         sphere_points '3.14159265358979324 0.523598775598298873' >"$work/asked"
         sphere_points '0 0.5' >"$work/points"
+        ;;
+    sg_light)
+        sphere_points '3.14159265358979324 32' >"$work/asked"
+        sphere_points '0 0.03125' >"$work/points"
         ;;
     *) points "$count" >"$work/points" && cp "$work/points" "$work/asked" ;;
     esac

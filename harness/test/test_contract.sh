@@ -3,7 +3,7 @@
 . harness/test/tap.sh
 contract=../shared/contract.sh
 if [ -e $contract ]; then
-    for model in split_sum split_sum_sep energy diffuse_sh sphere_light; do
+    for model in split_sum split_sum_sep energy diffuse_sh sphere_light sg_light; do
         check "contracts of $model" bash $contract $model
     done
 else

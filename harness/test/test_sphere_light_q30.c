@@ -1,10 +1,16 @@
 /* Sphere lights in fixed point against the same formula in double, at exactly the numbers that the integers stand for.
- * Errors are parts of the peak: the largest value over the light positions of one roughness, view and half angle. */
+ * Errors are parts of the peak: the largest value over the light positions of one roughness, view and half angle.
+ *
+ * The formula has the coefficients that ship, which are floats, and no guards against a division by 0 (1e-18, 1e-36):
+ * those are for float, and at low roughness and grazing views they are larger than what they guard. */
 #include "../../models/lobe.h"
 #include "cmocka_first.h"
 #include <math.h>
 
 #define LOBE_DOUBLE
+#include "../../core/dialect.h"
+#undef LOBE_R
+#define LOBE_R(x) (x##f > 0.0f && x##f < 1e-15f ? 1e-300 : (double)x##f)
 #include "../../models/sphere_light_high.h"
 
 typedef struct tier {
@@ -126,7 +132,7 @@ static void beyond_the_domain(void **state)
         t.of_peak = 0x1p-16;
         t.relative = 0x1p-12;
         for (random_state = 8, i = 0; i < 400; i++)
-            compare(&t, between(0.1, 1.0), between(0.02, 1.0), between(0.1 * degree, 90 * degree));
+            compare(&t, between(0.05, 1.0), between(0.02, 1.0), between(0.01 * degree, 90 * degree));
     }
 }
 

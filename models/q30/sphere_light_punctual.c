@@ -1,7 +1,8 @@
 #include "sphere_light.h"
 
 /* lobe_sphere_light_punctual of ../sphere_light.h in integers: its letters, and the order of its lines. Relative
- * difference to the formula in double over 3 million lights of the domain: 1.3e-8 (2^-26.3). */
+ * difference to the formula in double over 1.8 million lights of the domain: 1.3e-8 (2^-26.3); down to
+ * roughness 0 and n_dot_v .0005, 1.2e-7. */
 lobe_scaled_q30 lobe_sphere_light_punctual_q30(int32_t roughness, lobe_sphere_q30 light)
 {
     const lobe_sphere_fixed s = lobe_sphere_fixed_of(roughness, light);

@@ -1,0 +1,193 @@
+#include "cell.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include "../fit/random.h"
+#include "kernels.h"
+#include "visible_normals.h"
+
+enum { ORDER = 48, CANDIDATES = 360, ROWS = LOBE_CELL_ROWS };
+
+struct lobe_cell {
+    double alpha, n_dot_v;
+    const lobe_cell_options *options;
+    lobe_sphere_norm *norm;
+    int samples, all; /* values: samples, then those of the norm */
+    double *scale;    /* what every value is multiplied with */
+    double *target;   /* of the response, scaled */
+    double *basis;    /* ROWS of as many, orthonormal */
+};
+
+static double dot(const double *a, const double *b, int n)
+{
+    double part[4] = {0};
+    int i = 0;
+    for (; i + 4 <= n; i += 4)
+        for (int k = 0; k < 4; k++)
+            part[k] += a[i + k] * b[i + k];
+    for (; i < n; i++)
+        part[0] += a[i] * b[i];
+    return (part[0] + part[1]) + (part[2] + part[3]);
+}
+
+/* One tap of weight 1. */
+static void spread(const lobe_cell *c, double angle, double log_t, double *out, double *by_angle, double *by_log_t)
+{
+    const double t = exp(log_t);
+    lobe_orientations_tap(c->options->orientations, angle, t, out, by_angle, by_log_t);
+    lobe_sphere_norm_tap(c->norm, angle, t, out + c->samples, by_angle ? by_angle + c->samples : NULL,
+                         by_log_t ? by_log_t + c->samples : NULL);
+    for (int i = 0; i < c->all; i++)
+        out[i] *= c->scale[i];
+    for (int i = 0; by_angle && i < c->all; i++) {
+        by_angle[i] *= c->scale[i];
+        by_log_t[i] *= c->scale[i];
+    }
+}
+
+/* The response in every sample, over its albedo; then what is dark is divided by a part of the mean. */
+static void prepare_samples(lobe_cell *c, double *nodes)
+{
+    const lobe_orientations *o = c->options->orientations;
+    const int count = lobe_visible_nodes(c->alpha, c->n_dot_v, ORDER, nodes), each = o->count / o->environments;
+    double albedo = 0;
+    for (int i = 0; i < count; i++)
+        albedo += nodes[5 * i + 3];
+    for (int i = 0; i < count; i++) {
+        nodes[5 * i + 3] /= albedo;
+        nodes[5 * i + 4] = lobe_blurred_cubes_level(nodes[5 * i + 4]);
+    }
+    lobe_orientations_integrate(o, nodes, count, c->target);
+    for (int e = 0; e < o->environments; e++) {
+        double mean = 0;
+        for (int i = e * each; i < (e + 1) * each; i++)
+            mean += c->target[i] / each;
+        for (int i = e * each; i < (e + 1) * each; i++) {
+            c->scale[i] =
+                sqrt(c->options->share[LOBE_CELL_SAMPLES] / o->count) / fmax(c->target[i], c->options->dark * mean);
+            c->target[i] *= c->scale[i];
+        }
+    }
+}
+
+static void prepare_norm(lobe_cell *c)
+{
+    memcpy(c->target + c->samples, lobe_sphere_norm_target(c->norm), sizeof(double) * LOBE_SPHERE_VALUES);
+    for (int i = 0; i < LOBE_SPHERE_VALUES; i++) {
+        const lobe_cell_part part = i < LOBE_SPHERE_POINTS ? LOBE_CELL_SPECTRA : LOBE_CELL_SHAPE;
+        c->scale[c->samples + i] = sqrt(c->options->share[part]);
+        c->target[c->samples + i] *= c->scale[c->samples + i];
+    }
+}
+
+/* The response and what taps span, the largest remainder first (pivoted Gram-Schmidt). v: CANDIDATES vectors. */
+static void make_basis(lobe_cell *c, double *v)
+{
+    const double mirror = acos(c->n_dot_v), middle = log(lobe_prefilter_t_of_alpha(fmin(0.9, c->alpha)));
+    const int n = c->all;
+    lobe_random r;
+    lobe_random_seed(&r, 77, 0);
+    memcpy(v, c->target, sizeof *v * (size_t)n);
+    for (int i = 1; i < CANDIDATES; i++) {
+        const double shift = (lobe_random_unit(&r) - 0.5) * (lobe_random_unit(&r) < 0.5 ? 1 : 0.3);
+        spread(c, mirror + fmin(3, 6 * c->alpha) * shift, middle + 3.6 * lobe_random_unit(&r) - 1.9, v + i * n, NULL,
+               NULL);
+    }
+    for (int b = 0; b < ROWS; b++) {
+        double most = -1, norm, *to = c->basis + b * n;
+        int best = 0;
+        for (int i = 0; i < (b ? CANDIDATES : 1); i++) {
+            const double square = dot(v + i * n, v + i * n, n);
+            if (square > most) {
+                most = square;
+                best = i;
+            }
+        }
+        norm = 1 / sqrt(fmax(most, 1e-300));
+        for (int j = 0; j < n; j++)
+            to[j] = v[best * n + j] * norm;
+        for (int i = 0; i < CANDIDATES; i++) {
+            const double part = dot(v + i * n, to, n);
+            for (int j = 0; j < n; j++)
+                v[i * n + j] -= part * to[j];
+        }
+    }
+}
+
+lobe_cell *lobe_cell_new(double alpha, double n_dot_v, const lobe_cell_options *options)
+{
+    lobe_cell *c = calloc(1, sizeof *c);
+    const size_t samples = (size_t)options->orientations->count, all = samples + LOBE_SPHERE_VALUES;
+    double *room = malloc(sizeof *room * (5 * ORDER * ORDER + all * CANDIDATES));
+    if (c) {
+        c->alpha = alpha;
+        c->n_dot_v = n_dot_v;
+        c->options = options;
+        c->samples = (int)samples;
+        c->all = (int)all;
+        c->scale = malloc(sizeof(double) * all * (2 + ROWS));
+        c->norm = lobe_sphere_norm_new(alpha, n_dot_v, options->kernels, options->spectra, options->spectrum_count);
+    }
+    if (!c || !room || !c->scale || !c->norm) {
+        free(room);
+        lobe_cell_free(c);
+        return NULL;
+    }
+    c->target = c->scale + all;
+    c->basis = c->target + all;
+    prepare_samples(c, room);
+    prepare_norm(c);
+    make_basis(c, room);
+    free(room);
+    return c;
+}
+
+void lobe_cell_free(lobe_cell *cell)
+{
+    if (cell) {
+        free(cell->scale);
+        lobe_sphere_norm_free(cell->norm);
+    }
+    free(cell);
+}
+
+size_t lobe_cell_scratch(const lobe_cell *cell) { return 4 * (size_t)cell->all; }
+
+void lobe_cell_residuals(const lobe_cell *cell, const lobe_cell_tap *taps, int count, double *scratch, double *rows,
+                         double *slopes)
+{
+    const int n = cell->all;
+    double *rest = scratch, *value = rest + n, *by_angle = value + n, *by_log_t = by_angle + n;
+    memcpy(rest, cell->target, sizeof *rest * (size_t)n);
+    for (int i = 0; i < count; i++) {
+        spread(cell, taps[i].angle, taps[i].log_t, value, slopes ? by_angle : NULL, slopes ? by_log_t : NULL);
+        for (int j = 0; j < n; j++)
+            rest[j] -= taps[i].weight * value[j];
+        for (int b = 0; slopes && b < ROWS; b++) {
+            const double *basis = cell->basis + b * n;
+            slopes[(3 * i + 0) * ROWS + b] = -taps[i].weight * dot(by_angle, basis, n);
+            slopes[(3 * i + 1) * ROWS + b] = -taps[i].weight * dot(by_log_t, basis, n);
+            slopes[(3 * i + 2) * ROWS + b] = -dot(value, basis, n);
+        }
+    }
+    for (int b = 0; b < ROWS; b++)
+        rows[b] = dot(rest, cell->basis + b * n, n);
+}
+
+void lobe_cell_errors(const lobe_cell *cell, const lobe_cell_tap *taps, int count, double *scratch,
+                      double error[LOBE_CELL_PARTS])
+{
+    const int n = cell->all;
+    double *rest = scratch, *value = rest + n;
+    memcpy(rest, cell->target, sizeof *rest * (size_t)n);
+    for (int i = 0; i < count; i++) {
+        spread(cell, taps[i].angle, taps[i].log_t, value, NULL, NULL);
+        for (int j = 0; j < n; j++)
+            rest[j] -= taps[i].weight * value[j];
+    }
+    for (int k = 0; k < LOBE_CELL_PARTS; k++) {
+        const int first = k == 0 ? 0 : cell->samples + (k - 1) * LOBE_SPHERE_POINTS;
+        const int end = k == 0 ? cell->samples : first + LOBE_SPHERE_POINTS;
+        error[k] = dot(rest + first, rest + first, end - first) / cell->options->share[k];
+    }
+}

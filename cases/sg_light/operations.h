@@ -1,0 +1,14 @@
+/* Operations of the forms beyond a punctual light, as cases/fit/trace.h counts them: of ours from their text. */
+#ifndef LOBE_SG_LIGHT_OPERATIONS_H
+#define LOBE_SG_LIGHT_OPERATIONS_H
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* -1: not counted. */
+int lobe_sg_operations(const char *name);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

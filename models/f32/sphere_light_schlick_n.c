@@ -1,0 +1,5 @@
+#define LOBE_ARRAYS 1
+#include "../sphere_light_schlick.h"
+#include "sphere_light_entry.h"
+
+LOBE_SPHERE_LIGHT_N_F32(lobe_sphere_light_schlick)

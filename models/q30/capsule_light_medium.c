@@ -1,0 +1,21 @@
+/* lobe_capsule_light_medium of ../capsule_light.h in integers. */
+#include "capsule_light.h"
+#include "../../core/dialect.h"
+#include "../coeffs/capsule_light_medium.h"
+
+static const lobe_capsule_terms_scaled lobe_capsule_medium_terms = {
+    .widen = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C0),
+    .set = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C1),
+    .level = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C2),
+    .reach = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C3),
+    .turn = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C4),
+    .near = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C5),
+    .centre = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C6),
+    .bend = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_MEDIUM_C7)};
+
+lobe_scaled_q30 lobe_capsule_light_medium_q30(int32_t roughness, lobe_capsule_q30 light)
+{
+    const lobe_capsule_terms_scaled *k = &lobe_capsule_medium_terms;
+    const lobe_capsule_spot_scaled spot = lobe_capsule_line_q30(roughness, light, k);
+    return lobe_capsule_bent_q30(lobe_sphere_light_medium_q30(roughness, spot.light), spot.more, k->bend);
+}

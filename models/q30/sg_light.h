@@ -1,0 +1,42 @@
+/* What the q30 tiers of spherical Gaussian lights share. The formulas are those of ../sg_light.h and
+ * ../sg_light_high.h, in numbers with a block exponent: products of a lobe's and a light's square span 2^-80 to 1. No
+ * such number can overflow. */
+#ifndef LOBE_Q30_SG_LIGHT_H
+#define LOBE_Q30_SG_LIGHT_H
+#include "sphere_light.h"
+#include "../../core/q30_exp2.h"
+
+/* The clamped light, and what every tier makes of it first; letters as in ../sg_light.h. */
+typedef struct lobe_sg_fixed {
+    lobe_sphere_fixed s; /* v, l, tangent2, alpha, alpha2, b; the rest is not set */
+    lobe_q_scaled v, l, w, across, g, far, lobe, lobe_g, y, n, root_v;
+} lobe_sg_fixed;
+
+/* 33954698 is the root of an alpha of 1e-3, 1074 a versine of 1e-6. */
+static inline lobe_sg_fixed lobe_sg_fixed_of(int32_t roughness, lobe_sg_q30 light)
+{
+    const lobe_q_scaled root_alpha = lobe_qs_of(lobe_q_clamp(roughness, 33954698, LOBE_Q30_ONE), 0);
+    const int32_t v = lobe_q_clamp(light.n_dot_v, 0, LOBE_Q_BELOW_ONE);
+    const int32_t l = lobe_q_clamp(light.n_dot_l, -LOBE_Q_BELOW_ONE, LOBE_Q_BELOW_ONE);
+    lobe_sg_fixed f;
+    lobe_q_scaled h, off;
+    f.s.alpha = lobe_qs_mul(root_alpha, root_alpha);
+    f.s.alpha2 = lobe_qs_mul(f.s.alpha, f.s.alpha);
+    f.s.b = lobe_qs_of(LOBE_Q30_ONE - lobe_qs_fixed(f.s.alpha2, 30), 0);
+    f.v = lobe_qs_of(v, 0);
+    f.l = lobe_qs_of(l, 0);
+    f.w = lobe_qs_of(lobe_q_clamp(light.versine, 1074, LOBE_Q30_ONE), 0);
+    f.across = lobe_qs_of(lobe_q_clamp(light.tangent2, 0, LOBE_Q30_ONE), 2);
+    h = lobe_qs_of(v + l, 0);
+    off = lobe_qs_of(v - l, 0);
+    f.g = lobe_qs_add(f.across, lobe_qs_mul(h, h));
+    f.far = lobe_qs_add(f.across, lobe_qs_mul(off, off));
+    f.lobe = lobe_qs_shifted(f.s.alpha2, 1);
+    f.lobe_g = lobe_qs_mul(f.s.alpha2, f.g);
+    f.y = lobe_qs_mul(f.lobe, lobe_qs_mul(f.s.b, f.across));
+    f.n = lobe_sphere_stretched(&f.s, f.v);
+    f.root_v = lobe_qs_sqrt(f.n);
+    return f;
+}
+
+#endif
