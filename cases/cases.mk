@@ -25,6 +25,7 @@ CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/sp
 -include cases/sphere_diffuse.mk
 -include cases/capsule_light.mk
 -include cases/sphere_stability.mk
+-include cases/sphere_story.mk
 -include cases/sg_light.mk
 -include cases/picture/lights.mk
 LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))

@@ -11,3 +11,9 @@ stability: $(B)/stability
 	gnuplot -e "in='$(STABILITY_DIR)/cells.csv'; out='$(B)/stability.svg'" $(STABILITY_DIR)/stability.gp
 	mv $(B)/stability.svg $(STABILITY_DIR)/stability.svg
 	cat $(STABILITY_DIR)/regions.txt
+
+TESTS += $(B)/test/test_sphere_stability
+$(B)/test/test_sphere_stability: cases/test/test_sphere_stability.c $(STABILITY_OBJ) $(CASES_HDR) \
+                                 $(STABILITY_DIR)/stability.h
+	@mkdir -p $(@D)
+	$(CC) $(CASES_CFLAGS) $(filter %.c,$^) $(sort $(filter %.o,$^)) $(LOBEFIT_LIBS) -lcmocka -o $@

@@ -1,9 +1,9 @@
 # Where sphere lights fail. Called with in (CSV of the failure map), out.
-set terminal svg size 1500,1180 font "DejaVu Sans,10" background "white" noenhanced
+set terminal svg size 1500,1330 font "DejaVu Sans,10" background "white" noenhanced
 set output out
-models = "'point' 'Karis 1/2' 'smoothed point as printed' 'capped point' 'low' 'medium' 'high'"
+models = "'point' 'Karis 1/2' 'smoothed point as printed' 'wider lobe capped' 'LTC exact clip' 'low' 'medium' 'high'"
 views = "0 30 60 75 85 89"
-set multiplot layout 7,6 title "Sphere lights, F = 1: relative L2 error in per cent over 120 light positions a cell; \
+set multiplot layout 8,6 title "Sphere lights, F = 1: relative L2 error in per cent over 120 light positions a cell; \
 the frame is the stated domain" font ",14" margins 0.105,0.925,0.05,0.93 spacing 0.008,0.014
 set palette defined (0 "#f7fbf2", 0.25 "#b7dfb0", 0.5 "#fee08b", 0.7 "#f46d43", 0.85 "#d7302a", 1 "#a50026")
 set logscale cb
