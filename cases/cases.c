@@ -9,6 +9,10 @@
 #include "diffuse_sh/tiers.h"
 #include "diffuse_sh/truth_diffuse.h"
 #include "energy/fit.h"
+#include "env_lobes_sg/fit.h"
+#include "env_lobes/fit.h"
+#include "env_lobes/front.h"
+#include "env_lobes/truth_env_lobes.h"
 #include "sg_light/bounds.h"
 #include "sg_light/fit.h"
 #include "sg_light/front.h"
@@ -153,6 +157,20 @@ static const lobe_case cases[] = {
      .fit = lobe_capsule_fit,
      .bounds = lobe_capsule_bounds,
      .search = lobe_capsule_front_search},
+    {.name = "env_lobes",
+     .integral = "response = D G2 / (4 n.v), and times (1 - v.h)^5; lobes stand for its integral against an environment",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2",
+     .accuracy = "1e-13 relative",
+     .input_count = 4,
+     .output_count = 2,
+     .inputs = {{"roughness", 0.05, 1.0},
+                {"n_dot_v", 0.001, 1.0},
+                {"n_dot_l", 0.0, 1.0},
+                {"azimuth", 0.0, 3.141592653589793}},
+     .outputs = {"response", "response_schlick"},
+     .truth = lobe_truth_env_lobes_rows,
+     .fit = lobe_env_lobes_fit,
+     .search = lobe_env_lobes_search},
     {.name = "sg_light",
      .integral = "Lo = int exp(sharpness (l.axis - 1)) D V n.l dl over the upper hemisphere",
      .brdf = "GGX, height-correlated Smith, alpha = roughness^2, F = 1",
@@ -170,6 +188,17 @@ static const lobe_case cases[] = {
      .fit = lobe_sg_fit,
      .bounds = lobe_sg_bounds,
      .search = lobe_sg_front_search},
+    {.name = "env_lobes_sg",
+     .integral = "albedo = int D V n.l dl, what the lobes' weights sum to; the lobes are fitted to D V n.l itself",
+     .brdf = "GGX, height-correlated Smith, alpha = roughness^2, F = 1",
+     .accuracy = "2e-11",
+     .input_count = 2,
+     .output_count = 1,
+     .inputs = ROUGHNESS_N_DOT_V,
+     .outputs = {"albedo"},
+     .truth = lobe_truth_energy_rows,
+     .truth_opencl = lobe_truth_energy_opencl,
+     .fit = lobe_env_sg_fit},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
      .brdf = "GGX, Schlick-Smith with k = alpha/2, alpha = roughness^2; a published formula was fitted to it",

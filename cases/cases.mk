@@ -26,7 +26,9 @@ CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/sp
 -include cases/capsule_light.mk
 -include cases/sphere_stability.mk
 -include cases/sphere_story.mk
+-include cases/env_lobes.mk
 -include cases/sg_light.mk
+-include cases/env_lobes_sg.mk
 -include cases/picture/lights.mk
 LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
 

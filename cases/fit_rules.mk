@@ -15,7 +15,7 @@ $(B)/blank: $(addprefix $(B)/cases/fit/,blank_main.o coefficients.o atomic_file.
 # in cases/split_sum/tier_rows.h and in harness/registry_rows.h, build/blank bounds, and make fit. A tier of a sphere
 # light has its line of fits in cases/sphere_light/fit_tiers.c and fit.c, its integers by hand, its row in
 # cases/sphere_light/tier_rows.h.
-FIT_MODELS := split_sum split_sum_sep energy diffuse_sh sphere_light capsule_light sphere_diffuse
+FIT_MODELS := split_sum split_sum_sep energy diffuse_sh sphere_light capsule_light sg_light sphere_diffuse
 # What is fitted with another, and measured by itself.
 MEASURED_MODELS := $(FIT_MODELS) sphere_light_schlick
 LOBEFIT_AGAIN = $(MAKE) --no-print-directory $(B)/lobefit

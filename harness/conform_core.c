@@ -20,16 +20,17 @@ static double smaller(double a, double b) { return a < b ? a : b; }
 static void judge_row(const lobe_entry *entry, const lobe_vectors *vectors, uint32_t row, lobe_part *inside,
                       lobe_part *below)
 {
-    const double *truth = vectors->truth + (size_t)row * (size_t)entry->outputs;
+    const int truths = lobe_truth_count(entry);
+    const double *truth = vectors->truth + (size_t)row * (size_t)truths;
     lobe_value in[LOBE_MAX_INPUTS], out[LOBE_MAX_OUTPUTS];
     lobe_part *part;
     double got_sum = 0.0, want_sum = 0.0;
     int k, kept = 1;
     lobe_evaluate_row(entry, vectors, row, in, out);
     part = lobe_in_domain(entry, in) ? inside : below;
-    for (k = 0; k < entry->outputs + entry->sums; k++) {
-        const double got = k < entry->outputs ? lobe_value_real(entry->format, out[k]) : got_sum;
-        const double want = k < entry->outputs ? truth[k] : want_sum;
+    for (k = 0; k < truths + entry->sums; k++) {
+        const double got = k < truths ? lobe_answer(entry, k, out) : got_sum;
+        const double want = k < truths ? truth[k] : want_sum;
         const double error = distance(got, want);
         got_sum += got;
         want_sum += want;

@@ -81,7 +81,7 @@ static int report_vectors(const lobe_vectors *v)
     const lobe_part *part;
     uint32_t passed;
     print_name("vectors", v->model, v->tier, v->format);
-    if (!e || e->inputs != v->inputs || e->outputs != v->outputs) {
+    if (!e || e->inputs != v->inputs || lobe_truth_count(e) != v->outputs) {
         lobe_port_print("has no function here BROKEN\n");
         return 1;
     }

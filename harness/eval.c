@@ -144,7 +144,7 @@ int lobe_command_eval(int argc, char **argv)
     e = lobe_find_entry(model, tier, lobe_format_named(format));
     status = evaluate_all(e, &a);
     for (i = 0; status == 0 && i < a.count; i++)
-        printf("%.9g%c", lobe_value_real(e->format, a.values[i]),
+        printf("%.9g%c", lobe_output_real(e, (int)(i % (size_t)e->outputs), a.values[i]),
                (int)(i % (size_t)e->outputs) == e->outputs - 1 ? '\n' : ' ');
     free(a.values);
     return status;

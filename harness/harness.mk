@@ -33,7 +33,7 @@ $(B)/conform: $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o 
 
 # Tests: programs on cmocka and scripts, all of which print TAP.
 UNIT_TESTS := range arrays limits promises q30 apply diffuse_sh diffuse_sh_radiance sphere_diffuse sphere_sh \
-              sphere_schlick sphere_tiers sphere_seen sphere_light_q30 capsule_tiers sg_light \
+              sphere_schlick sphere_tiers sphere_seen sphere_light_q30 capsule_tiers sg_light env_lobes \
               helpers tables vec_file judge hash
 SCRIPT_TESTS := chart cli conform contract diffuse_chart dropin embed fuzz header lib readme sanitize shaders sphere_chart targets vectors \
                 warnings

@@ -21,7 +21,8 @@ static const char usage[] =
     "                                any number is answered, nan and inf too; q30 takes real numbers;\n"
     "                                sphere_light: roughness, n.v, n.l of its centre, azimuth from view to\n"
     "                                light (pi: the mirror's side) and half angle in radians;\n"
-    "                                sg_light: the same of its axis, and its sharpness last\n"
+    "                                sg_light: the same of its axis, and its sharpness last;\n"
+    "                                env_lobes, env_lobes_sg: angle, width and weight of each tap\n"
     "lobecheck hash [--write] [--file FILE]\n"
     "                                compares each function's bits with vectors/hashes.txt, or writes that\n"
     "lobecheck bench [MODEL]         nanoseconds an evaluation on this machine, scalar and array\n"
@@ -106,14 +107,15 @@ int lobe_command_list(int argc, char **argv)
            "max below", "domain", "inputs -> outputs", "kernel");
     for (i = 0; i < lobe_entry_count; i++) {
         const lobe_entry *e = &lobe_entries[i];
-        char domain[160], columns[160];
+        char domain[160], columns[320];
         lobe_domain_text(e, domain, sizeof domain);
         snprintf(columns, sizeof columns, "%s->%s", e->input_names, e->output_names);
         for (char *c = columns; *c; c++)
             if (*c == ' ')
                 *c = ',';
-        printf("  %-14s %-9s %-6s %4d %-11.4g %-11.4g %-11.4g %-12s %-32s %s\n", e->model, e->tier,
-               lobe_format_names[e->format], e->ops, e->max, e->rms, e->below_max, domain, columns, e->kernel);
+        printf("  %-14s %-9s %-6s %4d %-11.4g %-11.4g %-11.4g %-12s %-32s %s%s%s\n", e->model, e->tier,
+               lobe_format_names[e->format], e->ops, e->max, e->rms, e->below_max, domain, columns, e->kernel,
+               e->prefilter ? " " : "", e->prefilter ? e->prefilter : "");
     }
     return 0;
 }

@@ -2,6 +2,8 @@
 #include "../models/coeffs/capsule_light_bounds.h"
 #include "../models/coeffs/diffuse_sh_bounds.h"
 #include "../models/coeffs/energy_bounds.h"
+#include "../models/coeffs/env_lobes_bounds.h"
+#include "../models/coeffs/env_lobes_sg_bounds.h"
 #include "../models/coeffs/sg_light_bounds.h"
 #include "../models/coeffs/sphere_diffuse_bounds.h"
 #include "../models/coeffs/sphere_light_bounds.h"
@@ -143,6 +145,28 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
     {                                                                                                                  \
         out[0].q = lobe_scaled_to_q30(lobe_##model##_##tier##_q30(in[0].q, in[1].q));                                  \
     }
+#define ENV_OUT(field, wide, weigh, n)                                                                                        \
+    do {                                                                                                               \
+        int k;                                                                                                         \
+        for (k = 0; k < (n); k++) {                                                                                    \
+            out[3 * k].field = taps[k].angle;                                                                          \
+            out[3 * k + 1].field = taps[k].wide;                                                                       \
+            out[3 * k + 2].field = taps[k].weigh;                                                                      \
+        }                                                                                                              \
+    } while (0)
+#define ENV_CALL(model, tier, kernel, n, tap, wide, weigh, format, field)                                                     \
+    static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
+    {                                                                                                                  \
+        tap taps[n];                                                                                                   \
+        kernel##_##format(in[0].field, in[1].field, taps);                                                             \
+        ENV_OUT(field, wide, weigh, n);                                                                                       \
+    }
+#define ENV_F32(model, tier, bounds, kernel, n) ENV_CALL(model, tier, kernel, n, lobe_env_tap_f32, width, weight, f32, f)
+#define ENV_Q30(model, tier, bounds, kernel, n) ENV_CALL(model, tier, kernel, n, lobe_env_tap_q30, width, weight_q16, q30, q)
+#define ENV_SG_F32(model, tier, bounds, kernel, n)                                                                     \
+    ENV_CALL(model, tier, kernel, n, lobe_env_sg_tap_f32, sharpness, weight, f32, f)
+#define ENV_SG_Q30(model, tier, bounds, kernel, n)                                                                     \
+    ENV_CALL(model, tier, kernel, n, lobe_env_sg_tap_q16, sharpness, weight, q30, q)
 #include "registry_rows.h"
 #undef DFG_F32
 #undef DFG_Q30
@@ -165,6 +189,10 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
 #undef SG_Q30
 #undef SPHERE_DIFFUSE_F32
 #undef SPHERE_DIFFUSE_Q30
+#undef ENV_F32
+#undef ENV_Q30
+#undef ENV_SG_F32
+#undef ENV_SG_Q30
 
 /* Ranges that are the same for every tier of a model. */
 static const lobe_range sphere_light_ranges[] = {{0.22, 1.0, 0.0, 1.0},
@@ -217,7 +245,10 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
      bounds##_##FORMAT##_MAX,                                                                                          \
      bounds##_##FORMAT##_RMS,                                                                                          \
      below,                                                                                                            \
-     ranges},
+     ranges,                                                                                                           \
+     NULL,                                                                                                             \
+     0,                                                                                                                \
+     0},
 /* Two inputs whose domain is [lo, 1]. */
 #define UNIT_FROM(lo) ((const lobe_range[]){{lo, 1.0, 0.0, 1.0}, {lo, 1.0, 0.0, 1.0}})
 #define DFG_F32(model, tier, bounds) ROW(model, tier, f32, F32, 2, "scale bias", 1, model##_##tier##_n_f32, bounds)
@@ -260,6 +291,36 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
 #define SPHERE_DIFFUSE_F32(model, tier, bounds)                                                                        \
     ROW_SPHERE_DIFFUSE(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
 #define SPHERE_DIFFUSE_Q30(model, tier, bounds) ROW_SPHERE_DIFFUSE(model, tier, q30, Q30, NULL, bounds)
+/* Errors are those of the albedo, energy's high, and of a sum of eight numbers. */
+#define TAPS_1 "angle0 width0 weight0"
+#define TAPS_2 TAPS_1 " angle1 width1 weight1"
+#define TAPS_4 TAPS_2 " angle2 width2 weight2 angle3 width3 weight3"
+#define TAPS_8 TAPS_4 " angle4 width4 weight4 angle5 width5 weight5 angle6 width6 weight6 angle7 width7 weight7"
+#define SUMMED 1e-5
+#define ROW_ENV(model, tier, format, FORMAT, bounds, kernel, n, prefilter, q16)                                        \
+    {#model,                                                                                                           \
+     #tier,                                                                                                            \
+     #kernel "_" #format,                                                                                              \
+     LOBE_##FORMAT,                                                                                                    \
+     2,                                                                                                                \
+     3 * n,                                                                                                            \
+     "roughness n_dot_v",                                                                                              \
+     TAPS_##n,                                                                                                         \
+     0,                                                                                                                \
+     model##_##tier##_##format,                                                                                        \
+     NULL,                                                                                                             \
+     bounds##_OPS + LOBE_ENERGY_HIGH_OPS,                                                                              \
+     LOBE_ENERGY_HIGH_##FORMAT##_MAX + SUMMED,                                                                         \
+     LOBE_ENERGY_HIGH_##FORMAT##_RMS + SUMMED,                                                                         \
+     LOBE_ENERGY_HIGH_##FORMAT##_BELOW_MAX + SUMMED,                                                                   \
+     UNIT_FROM(LOBE_ENERGY_HIGH_DOMAIN_LO),                                                                            \
+     prefilter,                                                                                                        \
+     3,                                                                                                                \
+     q16},
+#define ENV_F32(model, tier, bounds, kernel, n) ROW_ENV(model, tier, f32, F32, bounds, kernel, n, "prefilter", 0)
+#define ENV_Q30(model, tier, bounds, kernel, n) ROW_ENV(model, tier, q30, Q30, bounds, kernel, n, "prefilter", 044444444)
+#define ENV_SG_F32(model, tier, bounds, kernel, n) ROW_ENV(model, tier, f32, F32, bounds, kernel, n, "sg", 0)
+#define ENV_SG_Q30(model, tier, bounds, kernel, n) ROW_ENV(model, tier, q30, Q30, bounds, kernel, n, "sg", 0xffffff)
 const lobe_entry lobe_entries[] = {
 #include "registry_rows.h"
 };
@@ -304,6 +365,26 @@ int lobe_in_domain(const lobe_entry *entry, const lobe_value *in)
 double lobe_value_real(lobe_format format, lobe_value value)
 {
     return format == LOBE_F32 ? (double)value.f : (double)value.q / 1073741824.0;
+}
+
+double lobe_output_real(const lobe_entry *entry, int k, lobe_value value)
+{
+    const double real = lobe_value_real(entry->format, value);
+    return entry->q16 >> k & 1u ? real * 16384.0 : real;
+}
+
+int lobe_truth_count(const lobe_entry *entry) { return entry->nth ? 1 : entry->outputs; }
+
+const char *lobe_truth_names(const lobe_entry *entry) { return entry->nth ? "E" : entry->output_names; }
+
+double lobe_answer(const lobe_entry *entry, int k, const lobe_value *out)
+{
+    double sum = 0.0;
+    if (!entry->nth)
+        return lobe_output_real(entry, k, out[k]);
+    for (k = entry->nth - 1; k < entry->outputs; k += entry->nth)
+        sum += lobe_output_real(entry, k, out[k]);
+    return sum;
 }
 
 lobe_value lobe_value_nearest(lobe_format format, double real)

@@ -37,6 +37,10 @@ typedef struct lobe_entry {
     double max, rms;          /* stated error where every input is in its domain */
     double below_max;         /* stated maximum where an input is below, or above, its domain */
     const lobe_range *ranges; /* one an input */
+    /* Fans of taps. Otherwise NULL, 0 and 0. */
+    const char *prefilter; /* the kernel that an environment is to be prefiltered with */
+    int nth;               /* no output has a truth, but the sum of every nth, from nth - 1 on, is E: what vectors hold */
+    unsigned q16;          /* bit k: in q30 output k is Q16.16 */
 } lobe_entry;
 
 extern const lobe_entry lobe_entries[];
@@ -58,6 +62,14 @@ int lobe_in_domain(const lobe_entry *entry, const lobe_value *in);
 
 /* The number that a value stands for. */
 double lobe_value_real(lobe_format format, lobe_value value);
+
+/* The number that output k of the entry stands for. */
+double lobe_output_real(const lobe_entry *entry, int k, lobe_value value);
+
+/* What the vectors of the entry hold: how many columns of truth, what they are called, and column k of an answer. */
+int lobe_truth_count(const lobe_entry *entry);
+const char *lobe_truth_names(const lobe_entry *entry);
+double lobe_answer(const lobe_entry *entry, int k, const lobe_value *out);
 
 /* The nearest value. q30 saturates, NaN gives 0; f32 keeps NaN and overflows to infinity. */
 lobe_value lobe_value_nearest(lobe_format format, double real);

@@ -13,7 +13,9 @@
  *   LIT_F32, LIT_Q30: the same where that function gives it beside the radiance
  *   CAPSULE_F32, CAPSULE_Q30: the same of a capsule, of nine
  *   SG_F32, SG_Q30: radiance of a spherical Gaussian light, of five
- *   SPHERE_DIFFUSE_F32, SPHERE_DIFFUSE_Q30: a sphere's irradiance over pi, of two */
+ *   SPHERE_DIFFUSE_F32, SPHERE_DIFFUSE_Q30: a sphere's irradiance over pi, of two
+ *   ENV_F32, ENV_Q30, ENV_SG_F32, ENV_SG_Q30: taps into a prefiltered environment, by a function of another name, which
+ *   is the fourth column, and their number; the vectors know their sum */
 DFG_F32(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_Q30(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_F32(split_sum, medium, LOBE_SPLIT_SUM_MEDIUM)
@@ -82,3 +84,19 @@ SPHERE_DIFFUSE_F32(sphere_diffuse, medium, LOBE_SPHERE_DIFFUSE_MEDIUM)
 SPHERE_DIFFUSE_Q30(sphere_diffuse, medium, LOBE_SPHERE_DIFFUSE_MEDIUM)
 SPHERE_DIFFUSE_F32(sphere_diffuse, exact, LOBE_SPHERE_DIFFUSE_EXACT)
 SPHERE_DIFFUSE_Q30(sphere_diffuse, exact, LOBE_SPHERE_DIFFUSE_EXACT)
+ENV_F32(env_lobes, lobes1, LOBE_ENV_LOBES_LOBES1, lobe_env_lobes1, 1)
+ENV_Q30(env_lobes, lobes1, LOBE_ENV_LOBES_LOBES1, lobe_env_lobes1, 1)
+ENV_F32(env_lobes, lobes2, LOBE_ENV_LOBES_LOBES2, lobe_env_lobes2, 2)
+ENV_Q30(env_lobes, lobes2, LOBE_ENV_LOBES_LOBES2, lobe_env_lobes2, 2)
+ENV_F32(env_lobes, lobes4, LOBE_ENV_LOBES_LOBES4, lobe_env_lobes4, 4)
+ENV_Q30(env_lobes, lobes4, LOBE_ENV_LOBES_LOBES4, lobe_env_lobes4, 4)
+ENV_F32(env_lobes, lobes8, LOBE_ENV_LOBES_LOBES8, lobe_env_lobes8, 8)
+ENV_Q30(env_lobes, lobes8, LOBE_ENV_LOBES_LOBES8, lobe_env_lobes8, 8)
+ENV_SG_F32(env_lobes_sg, lobes1, LOBE_ENV_LOBES_SG_LOBES1, lobe_env_lobes_sg1, 1)
+ENV_SG_Q30(env_lobes_sg, lobes1, LOBE_ENV_LOBES_SG_LOBES1, lobe_env_lobes_sg1, 1)
+ENV_SG_F32(env_lobes_sg, lobes2, LOBE_ENV_LOBES_SG_LOBES2, lobe_env_lobes_sg2, 2)
+ENV_SG_Q30(env_lobes_sg, lobes2, LOBE_ENV_LOBES_SG_LOBES2, lobe_env_lobes_sg2, 2)
+ENV_SG_F32(env_lobes_sg, lobes4, LOBE_ENV_LOBES_SG_LOBES4, lobe_env_lobes_sg4, 4)
+ENV_SG_Q30(env_lobes_sg, lobes4, LOBE_ENV_LOBES_SG_LOBES4, lobe_env_lobes_sg4, 4)
+ENV_SG_F32(env_lobes_sg, lobes8, LOBE_ENV_LOBES_SG_LOBES8, lobe_env_lobes_sg8, 8)
+ENV_SG_Q30(env_lobes_sg, lobes8, LOBE_ENV_LOBES_SG_LOBES8, lobe_env_lobes_sg8, 8)

@@ -44,8 +44,9 @@ static int find_vectors(const char *folder, char ***paths)
 static void print_case(const lobe_entry *e, const lobe_vectors *v, const lobe_part *part)
 {
     const double *truth = v->truth + (size_t)part->row * (size_t)v->outputs;
+    const int truths = lobe_truth_count(e), is_sum = part->output == truths;
     lobe_value in[LOBE_MAX_INPUTS], out[LOBE_MAX_OUTPUTS];
-    const char *name = e->output_names;
+    const char *name = lobe_truth_names(e), *plus = "";
     double got = 0.0, want = 0.0;
     int k;
     lobe_evaluate_row(e, v, part->row, in, out);
@@ -53,24 +54,26 @@ static void print_case(const lobe_entry *e, const lobe_vectors *v, const lobe_pa
         name += strcspn(name, " ");
         name += strspn(name, " ");
     }
-    printf("%.*s at", part->output == e->outputs ? 1 : (int)strcspn(name, " "),
-           part->output == e->outputs ? "E" : name);
+    printf("%.*s at", is_sum ? 1 : (int)strcspn(name, " "), is_sum ? "E" : name);
     for (k = 0; k < e->inputs; k++)
         printf(" %.9g", lobe_value_real(e->format, in[k]));
     printf(" (");
     for (k = 0; k < e->inputs; k++)
         printf(k ? " %08x" : "%08x", (unsigned)in[k].bits);
     printf("): got ");
-    for (k = 0; k < e->outputs; k++) {
-        if (k == part->output || part->output == e->outputs) {
-            got += lobe_value_real(e->format, out[k]);
+    for (k = 0; k < truths; k++) {
+        if (k == part->output || is_sum) {
+            got += lobe_answer(e, k, out);
             want += truth[k];
         }
     }
     printf("%.9g (", got);
-    for (k = 0; k < e->outputs; k++)
-        if (k == part->output || part->output == e->outputs)
-            printf(k && part->output == e->outputs ? "+%08x" : "%08x", (unsigned)out[k].bits);
+    for (k = 0; k < e->outputs; k++) {
+        if (e->nth ? (k + 1) % e->nth == 0 : k == part->output || is_sum) {
+            printf("%s%08x", plus, (unsigned)out[k].bits);
+            plus = "+";
+        }
+    }
     printf(") want %.9g (%a)\n", want, want);
 }
 
@@ -81,7 +84,7 @@ static void print_part(const lobe_entry *e, const lobe_vectors *v, const lobe_pa
     int k;
     if (part->rows == 0)
         return;
-    for (k = 0; k <= e->outputs; k++)
+    for (k = 0; k <= lobe_truth_count(e); k++)
         squares = part->squares[k] > squares ? part->squares[k] : squares;
     lobe_domain_text(e, domain, sizeof domain);
     if (strchr(domain, 'x')) /* too long for a column: `list` has it */

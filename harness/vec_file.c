@@ -286,7 +286,7 @@ int lobe_vec_fits(const lobe_vec_file *file, const lobe_entry *entry, lobe_vec_e
     const char *inputs = file->key[LOBE_KEY_INPUTS], *outputs = file->key[LOBE_KEY_OUTPUTS];
     if (!same_names(inputs, entry->input_names))
         return refuse(error, 0, "inputs '%.60s', %s has '%s'", inputs, entry->model, entry->input_names);
-    if (!same_names(outputs, entry->output_names))
-        return refuse(error, 0, "outputs '%.60s', %s has '%s'", outputs, entry->model, entry->output_names);
+    if (!same_names(outputs, lobe_truth_names(entry)))
+        return refuse(error, 0, "outputs '%.60s', %s has '%s'", outputs, entry->model, lobe_truth_names(entry));
     return 1;
 }

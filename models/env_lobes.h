@@ -1,6 +1,6 @@
 /* Environment specular by a fan of taps into an ordinary split-sum prefilter (no new asset): GGX, height-correlated
- * Smith, F = 1, so weights sum to the albedo E and a white furnace is right by construction. The taps stand in the plane
- * of view and normal.
+ * Smith, F = 1, so weights sum to the albedo E and a white furnace is right by construction. The taps stand in the
+ * plane of view and normal.
  *
  *   angle   from the normal, in radians, positive away from the view; a mirror is acos(n_dot_v)
  *   width   roughness of the prefilter to read: its kernel is max(0, c) / (1 + k (1 - c))^2 with c the cosine to the
@@ -8,10 +8,10 @@
  *   weight  may be negative: a narrow lobe minus what spills below the horizon
  *
  * With a = alpha = roughness^2, v = n_dot_v, s = sqrt(1 - v^2) and theta = acos(v) every tap is
- *     angle = theta + a s Th,   t = a 2^B,   alpha' = t / sqrt(1 + t^2)  (which is k = 1 / (2 t^2)),
+ *     angle = theta + a s Th,   t = a (0.3 + 2^B),   alpha' = t / sqrt(1 + t^2)  (which is k = 1 / (2 t^2)),
  * and Th, B and the weights but one are sums over twelve products of a, u = 1 - v and q = a / (v + a): q tells how near
- * the lobe is to the horizon in units of its own width. All are smooth by construction; at v = 1 every angle is 0, where
- * there is no plane of incidence. Both inputs are clamped to [0, 1], NaN counts as 0. How they were fitted:
+ * the lobe is to the horizon in units of its own width. All are smooth by construction; at v = 1 every angle is 0,
+ * where there is no plane of incidence. Both inputs are clamped to [0, 1], NaN counts as 0. How they were fitted:
  * cases/env_lobes. */
 #ifndef LOBE_ENV_LOBES_H
 #define LOBE_ENV_LOBES_H
@@ -61,7 +61,6 @@ LOBE_FN lobe_env_point lobe_env_point_of(lobe_real roughness, lobe_real n_dot_v)
     LOBE_LET uq = u * q;
     LOBE_LET au = a * u;
     LOBE_LET aq = a * q;
-    LOBE_LET au2 = a * u2;
     LOBE_LET auq = a * uq;
     LOBE_LET a2 = a * a;
     LOBE_LET a2u = a2 * u;
@@ -95,11 +94,11 @@ LOBE_FN lobe_real lobe_env_sum(lobe_env_point p, lobe_real c0, lobe_real c1, lob
     return x3;
 }
 
-/* |B| <= 8 keeps the square finite; no fit comes near. */
+/* B <= 8 keeps the square finite; no fit comes near. 0.3: narrower taps fit single environments, not others. */
 LOBE_FN lobe_env_tap lobe_env_tap_of(lobe_env_point p, lobe_real shift, lobe_real log_width, lobe_real weight)
 {
     LOBE_LET angle = p.theta + p.reach * shift;
-    LOBE_LET t = p.a * lobe_exp2(lobe_clamp(log_width, LOBE_R(-8.0), LOBE_R(8.0)));
+    LOBE_LET t = p.a * (LOBE_R(0.3) + lobe_exp2(lobe_min(log_width, LOBE_R(8.0))));
     LOBE_LET alpha = t / lobe_sqrt(LOBE_R(1.0) + t * t);
     LOBE_LET width = lobe_sqrt(lobe_saturate(alpha));
     lobe_env_tap tap;

@@ -1,5 +1,5 @@
-/* Sphere light in closed form, and with it Schlick's Fresnel averaged over the light. 106 operations beyond the
- * punctual light; 45 more with Fresnel, 34 more than high with (1 - v.h)^5 of the light's centre. Derived in
+/* Sphere light in closed form, and with it Schlick's Fresnel averaged over the light. 97 operations beyond the
+ * punctual light; 43 more with Fresnel, some 30 more than high with (1 - v.h)^5 of the light's centre. Derived in
  * cases/sphere_light/README.md. Coefficients 0 to 4 are of the radiance, 5 to 16 of Schlick. */
 #ifndef LOBE_SPHERE_LIGHT_HIGH_H
 #define LOBE_SPHERE_LIGHT_HIGH_H

@@ -137,7 +137,8 @@ lobe_cell *lobe_cell_new(double alpha, double n_dot_v, const lobe_cell_options *
     c->basis = c->target + all;
     prepare_samples(c, room);
     prepare_norm(c);
-    make_basis(c, room);
+    if (!options->judge)
+        make_basis(c, room);
     free(room);
     return c;
 }

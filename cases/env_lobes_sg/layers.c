@@ -5,7 +5,7 @@
 #include <string.h>
 #include "../../models/env_lobes_sg.h"
 
-int lobe_sg_quantities(int count) { return count == 1 ? 2 : count == 2 ? 4 : 6; }
+int lobe_sg_quantities(int count) { return count == 1 ? 2 : count == 2 ? 5 : 8; }
 
 void lobe_sg_features(double alpha, double n_dot_v, double *features)
 {
@@ -21,8 +21,8 @@ void lobe_sg_lobes_of(double alpha, double n_dot_v, const double *quantity, int 
     lobe_env_sg_fan fan;
     int i;
     memcpy(q, quantity, sizeof *q * (size_t)lobe_sg_quantities(count));
-    fan = lobe_env_sg_fan_of(p, q[LOBE_SG_SHIFT], q[LOBE_SG_LEVEL], q[LOBE_SG_SPREAD], q[LOBE_SG_TILT],
-                             q[LOBE_SG_TAPER], q[LOBE_SG_FLARE]);
+    fan = lobe_env_sg_fan_of(p, q[LOBE_SG_SHIFT], q[LOBE_SG_LEVEL], q[LOBE_SG_SPREAD], q[LOBE_SG_TILT], q[LOBE_SG_LEAN],
+                             q[LOBE_SG_RIM], q[LOBE_SG_TAPER], q[LOBE_SG_FLARE]);
     for (i = 0; i < count; i++) {
         const double d = count > 1 ? (2.0 * i - (count - 1)) / (count - 1) : 0;
         const lobe_env_tap tap = lobe_env_sg_tap_of(fan, p.a, d);
@@ -32,7 +32,7 @@ void lobe_sg_lobes_of(double alpha, double n_dot_v, const double *quantity, int 
         sum += tap.weight;
     }
     for (i = 0; i < count; i++)
-        lobes[i].weight *= energy / sum;
+        lobes[i].weight = energy * (lobes[i].weight * (1 + count * fan.rim) / sum - fan.rim);
 }
 
 void lobe_sg_lobes_at(double alpha, double n_dot_v, const double *c, int count, double energy, lobe_sg *lobes)

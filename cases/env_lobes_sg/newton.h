@@ -1,12 +1,13 @@
-/* Newton's method for surfaces: the objective is a sum over points of a smooth function of a few quantities, and each
+/* Newton's method for surfaces: the objective is a sum over points of a smooth function of a few
+ * quantities, and each
  * quantity a sum of coefficients times features of the point. Derivatives are taken by the quantities, point by point,
- * and carried to the coefficients exactly, so that a hundred coefficients cost what six do. */
+ * and carried to the coefficients exactly, so that a hundred coefficients cost what eight do. */
 #ifndef LOBE_SG_NEWTON_H
 #define LOBE_SG_NEWTON_H
 #include <stdbool.h>
 #include <stddef.h>
 
-enum { LOBE_NEWTON_QUANTITIES = 6 };
+enum { LOBE_NEWTON_QUANTITIES = 8 };
 
 typedef struct lobe_newton {
     double (*value)(const void *ctx, size_t point, const double *quantity); /* called from several threads */

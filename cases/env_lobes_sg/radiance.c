@@ -117,27 +117,42 @@ static double cross(const lobe_sg_target *t, const double *table, double angle)
     return sum;
 }
 
+/* Both tables at once: the polynomials are the same for every row. */
 static bool fill_tables(lobe_sg_scene *s)
 {
-    double band[LOBE_ENV_BANDS], factor[LOBE_ENV_BANDS], table[ANGLES];
+    enum { ALL = 2 * ROWS };
+    double(*band)[ALL] = malloc(sizeof *band * LOBE_ENV_BANDS), factor[LOBE_ENV_BANDS], sum[ALL];
     int r, l, i;
     s->once = malloc(sizeof *s->once * ANGLES * ROWS);
     s->twice = malloc(sizeof *s->twice * ANGLES * ROWS);
-    if (!s->once || !s->twice)
+    if (!band || !s->once || !s->twice) {
+        free(band);
         return false;
+    }
     for (r = 0; r < ROWS; r++) {
         lobe_sg_bands(exp(first_row + row_step * r), LOBE_ENV_BANDS, factor);
-        for (l = 0; l < LOBE_ENV_BANDS; l++)
-            band[l] = s->power[l] * (2 * l + 1) / (4 * LOBE_PI) * factor[l];
-        correlate(band, table);
-        for (i = 0; i < ANGLES; i++)
-            s->once[r * ANGLES + i] = (float)table[i];
-        for (l = 0; l < LOBE_ENV_BANDS; l++)
-            band[l] *= factor[l];
-        correlate(band, table);
-        for (i = 0; i < ANGLES; i++)
-            s->twice[r * ANGLES + i] = (float)table[i];
+        for (l = 0; l < LOBE_ENV_BANDS; l++) {
+            band[l][r] = s->power[l] * (2 * l + 1) / (4 * LOBE_PI) * factor[l];
+            band[l][r + ROWS] = band[l][r] * factor[l];
+        }
     }
+    for (i = 0; i < ANGLES; i++) {
+        const double x = (double)i / (ANGLES - 1), c = 1 - 2 * x * x;
+        double p0 = 1, p1 = c;
+        memset(sum, 0, sizeof sum);
+        for (l = 0; l < LOBE_ENV_BANDS; l++) {
+            const double p2 = ((2 * l + 3) * c * p1 - (l + 1) * p0) / (l + 2);
+            for (r = 0; r < ALL; r++)
+                sum[r] += band[l][r] * p0;
+            p0 = p1;
+            p1 = p2;
+        }
+        for (r = 0; r < ROWS; r++) {
+            s->once[r * ANGLES + i] = (float)sum[r];
+            s->twice[r * ANGLES + i] = (float)sum[r + ROWS];
+        }
+    }
+    free(band);
     return true;
 }
 

@@ -31,7 +31,7 @@ struct lobe_node {
     double value;
 };
 
-enum { LOBE_NODES = 2048, LOBE_OUTPUTS = 9 };
+enum { LOBE_NODES = 2048, LOBE_OUTPUTS = 24 };
 
 /* A formula: nodes in an order in which every argument comes first. */
 struct lobe_graph {

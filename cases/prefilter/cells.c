@@ -7,6 +7,8 @@
 
 /* A texel wider than the kernel is divided into at most this many a side. */
 #define FINEST_SPLIT 64
+/* No kernel is wider than a hemisphere, whose edge is as sharp as this. */
+#define WIDEST 0.7
 
 typedef struct gather {
     const lobe_prefilter_source *source;
@@ -30,7 +32,7 @@ static double limit(const gather *g, double near)
         scale = sqrt(g->peak * g->peak + near * near);
     else
         scale = g->peak * exp(fmin(g->group->parameter * near * near / 8, 2));
-    return g->group->detail * fmin(scale, 1);
+    return g->group->detail * fmin(scale, WIDEST);
 }
 
 static double *add(gather *g)

@@ -5,7 +5,7 @@
 #include "width.h"
 
 /* Cell size over the kernel's own scale at the cell, where it is accepted. README.md measures what it costs. */
-#define LOBE_PREFILTER_DETAIL 0.2
+#define LOBE_PREFILTER_DETAIL 0.15
 
 typedef struct lobe_prefilter_cells {
     double *rows; /* count x LOBE_PREFILTER_ROW */

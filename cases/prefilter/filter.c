@@ -50,34 +50,49 @@ typedef struct lanes {
     double mass[MOST], red[MOST], green[MOST], blue[MOST];
 } lanes;
 
+/* The parts of a divided texel, and cells of one colour: half the work. */
+static int one_point(const double *cell) { return cell[0] == cell[3] && cell[1] == cell[4] && cell[2] == cell[5]; }
+
+static void add(const double *cell, const double w[MOST], const double v[MOST], lanes *l)
+{
+    for (int i = 0; i < MOST; i++) {
+        l->mass[i] += v[i] * cell[6];
+        l->red[i] += w[i] * cell[7];
+        l->green[i] += w[i] * cell[8];
+        l->blue[i] += w[i] * cell[9];
+    }
+}
+
 static void sum_ggx(const lobe_prefilter_cells *cells, double parameter, lanes *l)
 {
     const double *cell = cells->rows;
-    for (size_t n = 0; n < cells->count; n++, cell += LOBE_PREFILTER_ROW)
-        for (int i = 0; i < MOST; i++) {
-            const double s = lobe_prefilter_below(l->x[i] - cell[0], l->y[i] - cell[1], l->z[i] - cell[2]);
-            const double t = lobe_prefilter_below(l->x[i] - cell[3], l->y[i] - cell[4], l->z[i] - cell[5]);
-            const double w = lobe_prefilter_ggx(s, parameter);
-            l->mass[i] += lobe_prefilter_ggx(t, parameter) * cell[6];
-            l->red[i] += w * cell[7];
-            l->green[i] += w * cell[8];
-            l->blue[i] += w * cell[9];
-        }
+    for (size_t n = 0; n < cells->count; n++, cell += LOBE_PREFILTER_ROW) {
+        double w[MOST], v[MOST];
+        for (int i = 0; i < MOST; i++)
+            v[i] = w[i] = lobe_prefilter_ggx(
+                lobe_prefilter_below(l->x[i] - cell[0], l->y[i] - cell[1], l->z[i] - cell[2]), parameter);
+        if (!one_point(cell))
+            for (int i = 0; i < MOST; i++)
+                v[i] = lobe_prefilter_ggx(lobe_prefilter_below(l->x[i] - cell[3], l->y[i] - cell[4], l->z[i] - cell[5]),
+                                          parameter);
+        add(cell, w, v, l);
+    }
 }
 
 static void sum_sg(const lobe_prefilter_cells *cells, double parameter, lanes *l)
 {
     const double *cell = cells->rows;
-    for (size_t n = 0; n < cells->count; n++, cell += LOBE_PREFILTER_ROW)
-        for (int i = 0; i < MOST; i++) {
-            const double s = lobe_prefilter_below(l->x[i] - cell[0], l->y[i] - cell[1], l->z[i] - cell[2]);
-            const double t = lobe_prefilter_below(l->x[i] - cell[3], l->y[i] - cell[4], l->z[i] - cell[5]);
-            const double w = lobe_prefilter_sg(s, parameter);
-            l->mass[i] += lobe_prefilter_sg(t, parameter) * cell[6];
-            l->red[i] += w * cell[7];
-            l->green[i] += w * cell[8];
-            l->blue[i] += w * cell[9];
-        }
+    for (size_t n = 0; n < cells->count; n++, cell += LOBE_PREFILTER_ROW) {
+        double w[MOST], v[MOST];
+        for (int i = 0; i < MOST; i++)
+            v[i] = w[i] = lobe_prefilter_sg(
+                lobe_prefilter_below(l->x[i] - cell[0], l->y[i] - cell[1], l->z[i] - cell[2]), parameter);
+        if (!one_point(cell))
+            for (int i = 0; i < MOST; i++)
+                v[i] = lobe_prefilter_sg(lobe_prefilter_below(l->x[i] - cell[3], l->y[i] - cell[4], l->z[i] - cell[5]),
+                                         parameter);
+        add(cell, w, v, l);
+    }
 }
 
 /* n <= MOST directions with the cells of their group. */

@@ -1,10 +1,9 @@
 /* The tiles of all mips, taken by threads one after another. */
 #include "prefilter.h"
 #include "../fit/interrupt.h"
+#include "clock.h"
 #include <pthread.h>
-#include <stdio.h>
 #include <stdlib.h>
-#include <time.h>
 #include <unistd.h>
 
 enum { MOST = LOBE_PREFILTER_TILE * LOBE_PREFILTER_TILE };
@@ -17,15 +16,8 @@ typedef struct work {
     lobe_cube *cube;
     size_t next, done; /* touched atomically: tiles taken, texels filtered */
     int failed;
-    double started, printed;
+    lobe_prefilter_clock clock;
 } work;
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 lobe_prefilter_options lobe_prefilter_options_default(lobe_prefilter_kernel kernel, int size)
 {
@@ -66,17 +58,6 @@ static int one(const work *w, const lobe_prefilter_tile *tile, lobe_prefilter_ce
     return 1;
 }
 
-static void report(work *w, size_t done)
-{
-    const double t = now();
-    if (t - w->printed > 0.5 && t - w->started > 1) {
-        const double rate = (double)done / (t - w->started);
-        fprintf(stderr, "\rprefilter: %zu of %zu texels, %.0f texels/s, %.0f s left ", done, w->texels, rate,
-                (double)(w->texels - done) / rate);
-        w->printed = t;
-    }
-}
-
 /* Takes tiles until none is left; `talks` is set for the one thread that reports. */
 static void run(work *w, int talks)
 {
@@ -92,7 +73,7 @@ static void run(work *w, int talks)
         const size_t texels = (size_t)(w->tiles[i].height * w->tiles[i].width);
         const size_t done = __atomic_add_fetch(&w->done, texels, __ATOMIC_RELAXED);
         if (talks)
-            report(w, done);
+            lobe_prefilter_report(&w->clock, done, w->texels);
     }
     lobe_prefilter_cells_free(&cells);
 }
@@ -108,15 +89,14 @@ static lobe_prefilter_status run_all(work *w)
     pthread_t threads[LOBE_PREFILTER_THREADS];
     const int wanted = w->options->threads < LOBE_PREFILTER_THREADS ? w->options->threads : LOBE_PREFILTER_THREADS;
     int started = 0;
-    w->started = w->printed = now();
+    lobe_prefilter_start(&w->clock);
     /* A thread that cannot be started is no error: this one takes what is left. */
     while (started + 1 < wanted && pthread_create(&threads[started], NULL, helper, w) == 0)
         started++;
     run(w, w->options->progress);
     for (int i = 0; i < started; i++)
         pthread_join(threads[i], NULL);
-    if (w->printed > w->started)
-        fprintf(stderr, "\rprefilter: %zu of %zu texels in %.1f s%20s\n", w->done, w->texels, now() - w->started, "");
+    lobe_prefilter_finish(&w->clock, w->done, w->texels);
     if (w->failed)
         return LOBE_PREFILTER_NO_MEMORY;
     return w->done < w->texels ? LOBE_PREFILTER_INTERRUPTED : LOBE_PREFILTER_DONE;
@@ -149,7 +129,7 @@ static lobe_prefilter_tile *tiles_of(int size, int first, int end, size_t *count
 static lobe_prefilter_status run_mips(const lobe_prefilter_source *source, const lobe_prefilter_options *o, int first,
                                       int end, lobe_cube *cube, char *error, size_t error_size)
 {
-    work w = {source, o, NULL, 0, 0, cube, 0, 0, 0, 0, 0};
+    work w = {source, o, NULL, 0, 0, cube, 0, 0, 0, {0, 0}};
     lobe_prefilter_status status;
     lobe_prefilter_tile *tiles = tiles_of(o->size, first, end, &w.count);
     if (!tiles)
@@ -182,8 +162,9 @@ lobe_prefilter_status lobe_prefilter(const lobe_prefilter_image *image, const lo
         lobe_cube_free(cube);
         return LOBE_PREFILTER_NO_MEMORY;
     }
-    status = run_mips(&source, o, 0, o->opencl && mips > 1 ? 1 : mips, cube, error, error_size);
-    if (status == LOBE_PREFILTER_DONE && o->opencl && mips > 1)
+    /* The mirror apart: its texels cost next to nothing, and would spoil the estimate. */
+    status = run_mips(&source, o, 0, 1, cube, error, error_size);
+    if (status == LOBE_PREFILTER_DONE && mips > 1)
         status = run_mips(&source, o, 1, mips, cube, error, error_size);
     for (int m = 1; status == LOBE_PREFILTER_DONE && o->fit && m < mips; m++)
         if (lobe_interrupt_requested())

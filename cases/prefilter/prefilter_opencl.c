@@ -3,8 +3,8 @@
 #include "kernel.h"
 #include "prefilter.h"
 #include "../fit/interrupt.h"
+#include "clock.h"
 #include "../fit/opencl.h"
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -20,6 +20,8 @@ typedef struct batch {
     lobe_cube *cube;
     double *in, *out, *table; /* 5 and 3 numbers a direction; the parameter and the cells */
     size_t rows, cells, room; /* room: cells that fit into table */
+    size_t done, texels;
+    lobe_prefilter_clock clock;
     char *error;
     size_t error_size;
 } batch;
@@ -59,6 +61,7 @@ static int compute(batch *b, const lobe_prefilter_tile *tiles, size_t first, siz
         lobe_prefilter_tile_store(&tiles[i], out, b->cube);
         out += 3 * tiles[i].height * tiles[i].width;
     }
+    b->done += b->rows;
     b->rows = b->cells = 0;
     return 1;
 }
@@ -103,7 +106,7 @@ static lobe_prefilter_status run(batch *b, const lobe_prefilter_tile *tiles, siz
             if (!compute(b, tiles, first, i))
                 return LOBE_PREFILTER_NO_OPENCL;
             if (b->options->progress)
-                fprintf(stderr, "\rprefilter: %zu of %zu tiles ", i, count);
+                lobe_prefilter_report(&b->clock, b->done, b->texels);
             first = i;
         }
         if (!append(b, tile, cells, d))
@@ -119,14 +122,16 @@ lobe_prefilter_status lobe_prefilter_opencl(const lobe_prefilter_source *source,
                                             char *error, size_t error_size)
 {
     lobe_prefilter_cells cells = {NULL, 0, 0};
-    batch b = {source, options, cube, NULL, NULL, NULL, 0, 0, 0, error, error_size};
+    batch b = {source, options, cube, NULL, NULL, NULL, 0, 0, 0, 0, 0, {0, 0}, error, error_size};
+    for (size_t i = 0; i < count; i++)
+        b.texels += (size_t)(tiles[i].height * tiles[i].width);
+    lobe_prefilter_start(&b.clock);
     lobe_prefilter_status status = LOBE_PREFILTER_NO_MEMORY;
     b.in = malloc(BATCH_TILES * MOST * 5 * sizeof(double));
     b.out = malloc(BATCH_TILES * MOST * 3 * sizeof(double));
     if (b.in && b.out && grow(&b, 1))
         status = run(&b, tiles, count, &cells);
-    if (options->progress)
-        fputc('\n', stderr);
+    lobe_prefilter_finish(&b.clock, b.done, b.texels);
     lobe_prefilter_cells_free(&cells);
     free(b.in);
     free(b.out);

@@ -3,6 +3,7 @@
 #define LOBE_DOUBLE 1
 #define LOBE_FIT 1
 #include "fit.h"
+#include "fit_diffuse.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -178,6 +179,6 @@ static bool fit_high(const lobe_case *self, const lobe_fit_request *request)
 
 int lobe_sg_fit(const lobe_case *self, int argc, char **argv)
 {
-    static const lobe_fit_tier all[] = {{"medium", fit_medium}, {"high", fit_high}};
+    static const lobe_fit_tier all[] = {{"medium", fit_medium}, {"high", fit_high}, {"diffuse", lobe_sg_fit_diffuse}};
     return lobe_fit_command(self, all, (int)(sizeof all / sizeof all[0]), argc, argv);
 }

@@ -7,6 +7,7 @@
 #include "../fit/atomic_file.h"
 #include "../fit/emit.h"
 #include "judge.h"
+#include "ndf.h"
 #include "operations.h"
 
 static void judge_all(const lobe_sg_cells *cells, FILE *out)
@@ -48,15 +49,23 @@ static bool run(const lobe_sweep_options *sweep, FILE *out)
     return true;
 }
 
+static bool run_ndf(const lobe_sweep_options *sweep, FILE *out)
+{
+    (void)sweep;
+    return lobe_ndf_write(out);
+}
+
+typedef bool run_fn(const lobe_sweep_options *sweep, FILE *out);
+
 /* The exit status. */
-static int write_file(const lobe_sweep_options *sweep, const char *path)
+static int write_file(run_fn *run_one, const lobe_sweep_options *sweep, const char *path)
 {
     lobe_atomic_file file;
     if (!lobe_atomic_open(&file, path)) {
         fprintf(stderr, "lobefit: search: cannot write '%s': %s\n", path, strerror(errno));
         return 2;
     }
-    if (!run(sweep, file.stream)) {
+    if (!run_one(sweep, file.stream)) {
         lobe_atomic_abandon(&file);
         return 1;
     }
@@ -89,14 +98,16 @@ static int threads_of(const char *text)
 int lobe_sg_front_search(const lobe_case *self, int argc, char **argv)
 {
     lobe_sweep_options sweep = lobe_sweep_options_default();
-    const char *path = NULL;
-    int i;
+    const char *path = NULL, *ndf = NULL;
+    int i, status = 0;
     (void)self;
     for (i = 0; i < argc; i++) {
         if (!strcmp(argv[i], "--progress")) {
             sweep.progress = 1;
         } else if (!strcmp(argv[i], "--csv") && i + 1 < argc) {
             path = argv[++i];
+        } else if (!strcmp(argv[i], "--ndf") && i + 1 < argc) {
+            ndf = argv[++i];
         } else if (!strcmp(argv[i], "--threads") && i + 1 < argc) {
             sweep.threads = threads_of(argv[++i]);
             if (sweep.threads)
@@ -106,11 +117,17 @@ int lobe_sg_front_search(const lobe_case *self, int argc, char **argv)
             return 2;
         } else {
             fprintf(stderr,
-                    "lobefit: search: unknown option '%s', or its value is missing; it takes --csv FILE --threads N "
-                    "--progress\n",
+                    "lobefit: search: unknown option '%s', or its value is missing; it takes --csv FILE --ndf FILE "
+                    "--threads N --progress\n",
                     argv[i]);
             return 2;
         }
     }
-    return path ? write_file(&sweep, path) : write_output(&sweep);
+    if (ndf)
+        status = write_file(run_ndf, &sweep, ndf);
+    if (!status && path)
+        status = write_file(run, &sweep, path);
+    if (!status && !ndf && !path)
+        status = write_output(&sweep);
+    return status;
 }

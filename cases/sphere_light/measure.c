@@ -72,7 +72,7 @@ static void climb(called *call, const lobe_sphere_region *r, double row[5], doub
             if (!step_from(row, direction, step, r->beyond, next) || !counts(r->quantity, next))
                 continue;
             e = error_at(call, r->quantity->judged.truth, next);
-            if (e > *error) {
+            if (e > *error * (1 + r->quantity->gain)) {
                 *error = e;
                 memcpy(row, next, sizeof next);
                 gained = true;

@@ -14,6 +14,7 @@ typedef struct lobe_sphere_quantity {
     lobe_truth_fn truth;
     const lobe_vector_set *vectors;
     double least; /* where the light gives less than this, nothing is measured */
+    double gain;  /* a walk goes on while a step gains more than this part */
 } lobe_sphere_quantity;
 
 extern const lobe_sphere_quantity lobe_sphere_radiance;

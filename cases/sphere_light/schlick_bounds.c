@@ -67,7 +67,8 @@ static const lobe_sphere_quantity schlick = {.judged = {.name = "sphere_light_sc
                                                         .truth = lobe_truth_sphere_schlick_columns_fast},
                                              .truth = lobe_truth_sphere_schlick_columns,
                                              .vectors = &lobe_sphere_schlick_vectors,
-                                             .least = LOBE_SPHERE_SCHLICK_LEAST};
+                                             .least = LOBE_SPHERE_SCHLICK_LEAST,
+                                             .gain = 1e-3};
 
 static void put(FILE *f, const char *tier, const char *format, const char *suffix, double x)
 {

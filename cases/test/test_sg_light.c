@@ -6,6 +6,7 @@
 #include <cmocka.h>
 #include <math.h>
 #include "../fit/random.h"
+#include "../sg_light/ndf.h"
 #include "../sg_light/peers.h"
 #include "../sg_light/truth_sg.h"
 
@@ -126,6 +127,45 @@ static void peers_on_the_normal(void **state)
     }
 }
 
+/* Simpson's rule in the cosine, which is not how they are fitted. */
+static void judge_again(lobe_ndf kind, int count, double alpha, const lobe_ndf_fit *fit, double *error, double *sum)
+{
+    enum { STEPS = 40000 };
+    double off = 0, square = 0;
+    int i, k;
+    *sum = 0;
+    for (i = 1; i <= STEPS; i++) { /* both distributions times the cosine are 0 at its 0 */
+        const double c = (double)i / STEPS, w = (i == STEPS ? 1 : i & 1 ? 4 : 2) / (3.0 * STEPS) * c;
+        const double d = lobe_ndf_value(kind, alpha, c);
+        double y = 0;
+        for (k = 0; k < count; k++)
+            y += fit->amplitude[k] / (pi * alpha * alpha) * exp(fit->sharpness[k] / (alpha * alpha) * (c - 1));
+        off += w * (y - d) * (y - d);
+        square += w * d * d;
+        *sum += 2 * pi * w * y;
+    }
+    *error = sqrt(off / square);
+}
+
+/* What README.md says of normals as sums of Gaussians, at the worst alpha up to .5. */
+static void normals_as_gaussians(void **state)
+{
+    static const double most[2][LOBE_NDF_MOST] = {{.151, .034, .0094, .003, .0011}, {.105, .041, .021, .023, .021}};
+    lobe_ndf_fit fits[LOBE_NDF_ALPHAS];
+    int kind, count, k;
+    (void)state;
+    for (kind = 0; kind < 2; kind++)
+        for (count = 1; count <= LOBE_NDF_MOST; count++) {
+            assert_true(lobe_ndf_fit_all((lobe_ndf)kind, count, fits));
+            for (k = 0; k < LOBE_NDF_ALPHAS && lobe_ndf_alpha(k) <= .5; k++) {
+                double error, sum;
+                judge_again((lobe_ndf)kind, count, lobe_ndf_alpha(k), &fits[k], &error, &sum);
+                assert_true(error < most[kind][count - 1]);
+                assert_true(fabs(error - fits[k].error) < .03 * error + 1e-5 && fabs(sum - fits[k].sum) < 1e-4);
+            }
+        }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
@@ -135,6 +175,7 @@ int main(void)
         cmocka_unit_test(limits),
         cmocka_unit_test(irradiance),
         cmocka_unit_test(peers_on_the_normal),
+        cmocka_unit_test(normals_as_gaussians),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

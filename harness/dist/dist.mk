@@ -9,7 +9,7 @@ $(B)/amalgamate: harness/dist/amalgamate.c
 	@mkdir -p $(@D)
 	$(CC) $(ALL_CFLAGS) $< -o $@
 
-$(DIST)/lobe.h: models/lobe.h LICENSE $(B)/amalgamate
+$(DIST)/lobe.h: $(wildcard models/lobe*.h) LICENSE $(B)/amalgamate
 	@mkdir -p $(@D)
 	@$(B)/amalgamate -t LICENSE -o $@ models/lobe.h
 
@@ -22,11 +22,11 @@ $(DIST)/lobe.shader.h: $(LIB_HDR) LICENSE $(B)/amalgamate harness/dist/shader_he
 	@$(B)/amalgamate -t LICENSE -o $@ harness/dist/one_file.h $(SHADER_HDR)
 
 # The library and its header; the kernel headers with their folders, for C, C++ and OpenCL; the shader text.
-install: $(B)/liblobe.a $(DIST)/lobe.shader.h
+install: $(B)/liblobe.a $(DIST)/lobe.h $(DIST)/lobe.shader.h
 	install -d '$(DESTDIR)$(PREFIX)/lib/pkgconfig' '$(DESTDIR)$(PREFIX)/include/lobe/core' \
 	    '$(DESTDIR)$(PREFIX)/include/lobe/models/coeffs'
 	install -m 644 $(B)/liblobe.a '$(DESTDIR)$(PREFIX)/lib'
-	install -m 644 models/lobe.h '$(DESTDIR)$(PREFIX)/include'
+	install -m 644 $(DIST)/lobe.h '$(DESTDIR)$(PREFIX)/include'
 	install -m 644 $(filter core/%,$(SHADER_HDR)) '$(DESTDIR)$(PREFIX)/include/lobe/core'
 	install -m 644 $(filter models/%,$(SHADER_HDR)) '$(DESTDIR)$(PREFIX)/include/lobe/models'
 	install -m 644 $(wildcard models/coeffs/*.h) '$(DESTDIR)$(PREFIX)/include/lobe/models/coeffs'

@@ -79,6 +79,10 @@ typedef lobe_scaled_q30 sg_q30(int32_t, lobe_sg_q30);
 typedef float capsule_f32(float, lobe_capsule_f32);
 typedef lobe_scaled_q30 capsule_q30(int32_t, lobe_capsule_q30);
 typedef lobe_scaled_q30 sphere_diffuse_q30(int32_t, int32_t);
+typedef void env_f32(float, float, lobe_env_tap_f32 *);
+typedef void env_q30(int32_t, int32_t, lobe_env_tap_q30 *);
+typedef void env_sg_f32(float, float, lobe_env_sg_tap_f32 *);
+typedef void env_sg_q30(int32_t, int32_t, lobe_env_sg_tap_q16 *);
 
 typedef struct function {
     const char *model, *tier;
@@ -141,6 +145,15 @@ LOOP(capsule_q30, int32_t,
          .mantissa)
 LOOP(sphere_diffuse_q30, int32_t, called(roughness[i].q, n_dot_v[i].q).mantissa)
 
+static lobe_env_tap_f32 taps_f32[8];
+static lobe_env_tap_q30 taps_q30[8];
+static lobe_env_sg_tap_f32 sg_taps_f32[8];
+static lobe_env_sg_tap_q16 sg_taps_q30[8];
+LOOP(env_f32, float, (called(roughness[i].f, n_dot_v[i].f, taps_f32), 0.0f))
+LOOP(env_q30, int32_t, (called(roughness[i].q, n_dot_v[i].q, taps_q30), 0))
+LOOP(env_sg_f32, float, (called(roughness[i].f, n_dot_v[i].f, sg_taps_f32), 0.0f))
+LOOP(env_sg_q30, int32_t, (called(roughness[i].q, n_dot_v[i].q, sg_taps_q30), 0))
+
 /* Returns at once, whatever it is called as. One instruction; with its call two. */
 void nothing(void);
 #if defined(__arm__)
@@ -175,6 +188,10 @@ enum { CALL_AND_RETURN = 2 };
 #define SPHERE_DIFFUSE_F32(model, tier, bounds) FUNCTION(#model, tier, F32, energy_f32, lobe_##model##_##tier##_f32)
 #define SPHERE_DIFFUSE_Q30(model, tier, bounds)                                                                        \
     FUNCTION(#model, tier, Q30, sphere_diffuse_q30, lobe_##model##_##tier##_q30)
+#define ENV_F32(model, tier, bounds, kernel, n) FUNCTION(#model, tier, F32, env_f32, kernel##_f32)
+#define ENV_Q30(model, tier, bounds, kernel, n) FUNCTION(#model, tier, Q30, env_q30, kernel##_q30)
+#define ENV_SG_F32(model, tier, bounds, kernel, n) FUNCTION(#model, tier, F32, env_sg_f32, kernel##_f32)
+#define ENV_SG_Q30(model, tier, bounds, kernel, n) FUNCTION(#model, tier, Q30, env_sg_q30, kernel##_q30)
 #define SH9_RADIANCE(tier)                                                                                             \
     FUNCTION("diffuse_sh_radiance", tier, F32, radiance_f32, lobe_diffuse_sh_radiance_##tier##_f32)                    \
     FUNCTION("diffuse_sh_radiance", tier, Q30, radiance_q30, lobe_diffuse_sh_radiance_##tier##_q30)

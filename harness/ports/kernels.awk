@@ -34,19 +34,30 @@ function uncomment(s,    from, to, out) {
     return out s
 }
 
-function find_structs(s,    name, body, n, i, part) {
+# A struct's scalars: a member that is a struct, which stands before, adds its own.
+function find_structs(s,    name, body, n, i, k, part, word, type) {
     while (match(s, /LOBE_STRUCT\([a-z0-9_]+\)[ ]*\{[^}]*\}/)) {
         body = substr(s, RSTART, RLENGTH)
         s = substr(s, RSTART + RLENGTH)
         name = body
         sub(/^LOBE_STRUCT\(/, "", name)
         sub(/\).*/, "", name)
-        gsub(/.*\{|\}|lobe_real|[ \t]/, "", body)
-        n = split(body, part, /[;,]/)
+        gsub(/.*\{|\}/, "", body)
+        gsub(/[;,]/, " & ", body)
+        n = split(body, word, /[ \t]+/)
         count[name] = 0
-        for (i = 1; i <= n; i++)
-            if (part[i] != "")
-                member[name, count[name]++] = part[i]
+        type = ""
+        for (i = 1; i <= n; i++) {
+            if (word[i] == ";")
+                type = ""
+            else if (type == "")
+                type = word[i]
+            else if (word[i] != "," && type == "lobe_real")
+                member[name, count[name]++] = word[i]
+            else if (word[i] != ",")
+                for (k = 0; k < count[type]; k++)
+                    member[name, count[name]++] = word[i] "." member[type, k]
+        }
     }
 }
 

@@ -7,7 +7,7 @@ check 'there are tiers' [ -s "$work/tiers" ]
 
 # comment FUNCTION: the last comment before its declaration, on one line
 comment() {
-    awk -v name=" $1(" '/^\/\*/ { text = "" } { line = $0 } /^ ?\/?\*/ { text = text " " $0 } index(" " line, name) { print text; exit }' models/lobe.h
+    awk -v name=" $1(" '/^\/\*/ { text = "" } { line = $0 } /^ ?\/?\*/ { text = text " " $0 } index(" " line, name) { print text; exit }' models/lobe*.h
 }
 # cells MODEL TIER: what is stated of scenes, where a model is judged by them
 cells() {

@@ -45,7 +45,11 @@ static void check_outputs(const lobe_entry *e, const lobe_value *in)
     int k, good = 1;
     e->call(in, out);
     for (k = 0; k < e->outputs; k++) {
-        const double x = lobe_value_real(e->format, out[k]);
+        const double x = lobe_output_real(e, k, out[k]);
+        if (e->nth) { /* angles, widths and weights that may be negative: test_env_lobes.c */
+            good &= x - x == 0.0;
+            continue;
+        }
         good &= x >= 0.0 && x <= 1.0;
         if (e->format == LOBE_F32)
             sum_f += out[k].f;

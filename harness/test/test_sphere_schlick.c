@@ -1,5 +1,5 @@
-/* Schlick inside a sphere light, in f32: bad numbers, the same kernel in double, the limit of a small light, the
- * mirror, and arrays. How far it is from the truth is in cases/test/test_sphere_schlick_floors.c. */
+/* Schlick inside a sphere light, in f32 and q30: bad numbers, the same kernel in double, the limit of a small light,
+ * the mirror, and arrays. How far it is from the truth is in cases/test/test_sphere_schlick_floors.c. */
 #define LOBE_DOUBLE 1
 #include "../../models/lobe.h"
 #include "../../models/sphere_light_high.h"
@@ -198,12 +198,89 @@ static void arrays_have_the_same_bits(void **state)
     }
 }
 
+static int32_t schlick_q30(int32_t roughness, lobe_sphere_q30 light)
+{
+    return lobe_sphere_light_schlick_q30(roughness, light);
+}
+static int32_t high_q30(int32_t roughness, lobe_sphere_q30 light)
+{
+    return lobe_sphere_light_high_lit_q30(roughness, light).schlick;
+}
+static int32_t (*const integers[FORMS])(int32_t roughness, lobe_sphere_q30 light) = {schlick_q30, high_q30};
+
+static int32_t fixed(double x) { return (int32_t)lrint(x * 0x1p30); }
+static double real(int32_t x) { return x * 0x1p-30; }
+
+/* Against the formula in double at the numbers that the integers stand for: in the domain, and anywhere. */
+static void integers_are_the_formula(void **state)
+{
+    int f, i, beyond;
+    (void)state;
+    for (f = 0; f < FORMS; f++) {
+        for (beyond = 0; beyond < 2; beyond++) {
+            for (i = 0; i < 200000; i++) {
+                place p = any_place(beyond ? 1.0 : 0.7072);
+                lobe_sphere_q30 light;
+                int32_t rough;
+                double got, want;
+                if (beyond)
+                    p = place_at(uniform(), uniform(), (double)p.l, 3.14159265 * uniform(), (double)p.sine);
+                light = (lobe_sphere_q30){fixed((double)p.v), fixed((double)p.l), fixed((double)p.tangent2),
+                                          fixed((double)p.sine)};
+                rough = fixed((double)p.roughness);
+                got = real(integers[f](rough, light));
+                want = forms[f].in_double(real(rough), lobe_sphere_of(real(light.n_dot_v), real(light.n_dot_l),
+                                                                      real(light.tangent2), real(light.sine)));
+                if (!(fabs(got - want) <= (beyond ? 0x1p-18 : 0x1p-20)))
+                    fail_at(&forms[f], p, got, want);
+            }
+        }
+    }
+}
+
+static void any_integers_are_answered(void **state)
+{
+    static const int32_t ends[] = {0, 1, -1, 1073741823, 1073741824, 1073741825, -1073741824, INT32_MAX, INT32_MIN};
+    int f, i, k;
+    (void)state;
+    for (f = 0; f < FORMS; f++) {
+        for (i = 0; i < 300000; i++) {
+            int32_t x[5], y;
+            for (k = 0; k < 5; k++)
+                x[k] = random_bits() % 2 ? (int32_t)random_bits() : ends[random_bits() % 9];
+            y = integers[f](x[0], (lobe_sphere_q30){x[1], x[2], x[3], x[4]});
+            assert_true(y >= 0 && y <= 1073741824);
+        }
+    }
+}
+
+static void integer_radiance_is_that_of_high(void **state)
+{
+    int i;
+    (void)state;
+    for (i = 0; i < 20000; i++) {
+        const place p = any_place(1.0);
+        const lobe_sphere_q30 light = {fixed((double)p.v), fixed((double)p.l), fixed((double)p.tangent2),
+                                       fixed((double)p.sine)};
+        const int32_t rough = fixed((double)p.roughness);
+        const lobe_scaled_q30 a = lobe_sphere_light_high_lit_q30(rough, light).radiance;
+        const lobe_scaled_q30 b = lobe_sphere_light_high_q30(rough, light);
+        assert_true(a.mantissa == b.mantissa && a.exponent == b.exponent);
+    }
+}
+
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(any_bits_are_answered),    cmocka_unit_test(rounding),
-        cmocka_unit_test(meets_the_punctual_light), cmocka_unit_test(mirror_has_one_direction),
-        cmocka_unit_test(radiance_is_that_of_high), cmocka_unit_test(arrays_have_the_same_bits),
+        cmocka_unit_test(any_bits_are_answered),
+        cmocka_unit_test(rounding),
+        cmocka_unit_test(meets_the_punctual_light),
+        cmocka_unit_test(mirror_has_one_direction),
+        cmocka_unit_test(radiance_is_that_of_high),
+        cmocka_unit_test(arrays_have_the_same_bits),
+        cmocka_unit_test(integers_are_the_formula),
+        cmocka_unit_test(any_integers_are_answered),
+        cmocka_unit_test(integer_radiance_is_that_of_high),
     };
     return cmocka_run_group_tests_name("sphere_schlick", tests, NULL, NULL);
 }

@@ -1,38 +1,13 @@
 #include "sphere_diffuse.h"
+#include "../../core/q30_arc.h"
 
-/* The polynomials of ../../core/arc.h anew, minimax over z^2 with coefficients in Q30 (polynomials.sollya): within
- * 9.4e-10 and 1.8e-9. */
-static int32_t sphere_polynomial(const int32_t *p, int degree, int32_t x)
-{
-    int32_t y = p[degree];
-    int k;
-    for (k = degree - 1; k >= 0; k--)
-        y = p[k] + lobe_q_mul(x, y, 30);
-    return y;
-}
-
-/* atan z / pi for z in [0, 1]. */
-static int32_t sphere_arc_octant(int32_t z)
-{
-    static const int32_t p[10] = {341782637, -113927388, 68350970,  -48748871, 37419808,
-                                  -28697534, 19784368,   -10644120, 3729356,   -613771};
-    return lobe_q_mul(z, sphere_polynomial(p, 9, lobe_q_mul(z, z, 30)), 30);
-}
-
-/* The angle of (x, y) over pi. */
-static int32_t sphere_arc(int32_t y, int32_t x)
-{
-    const int32_t far_side = lobe_q_max(x, y),
-                  octant = sphere_arc_octant(lobe_q_ratio(lobe_q_min(x, y), lobe_q_reciprocal(far_side)));
-    return y > x ? (LOBE_Q30_ONE >> 1) - octant : octant;
-}
-
-/* (atan z - z / (1 + z^2)) / (pi z^3), s = z^2. */
+/* (atan z - z / (1 + z^2)) / (pi z^3), s = z^2: that of ../../core/arc.h anew, minimax with coefficients in Q30
+ * (polynomials.sollya), within 1.8e-9. */
 static int32_t sphere_segment_over_z3(int32_t s)
 {
     static const int32_t p[11] = {227855090, -273425640, 292936350, -303464603, 307690868, -299541206,
                                   264294754, -192611168, 103195302, -34822494,  5436886};
-    return sphere_polynomial(p, 10, s);
+    return lobe_q_polynomial(p, 10, s);
 }
 
 /* Where the light is nearly half the sky and nearly gone, both are small, and only their ratio counts. */
@@ -73,7 +48,7 @@ lobe_scaled_q30 lobe_sphere_diffuse_exact_q30(int32_t n_dot_l, int32_t sine)
                  lobe_sphere_diffuse_fine_across(lobe_q_saturate(sine)), &q, &cosine);
     sphere_half_chord(q, cosine, a.e, &segment, &product);
     excess = segment + lobe_q_mul(lobe_q_mul(m, m, 30), product, 30) -
-             lobe_q_mul(lobe_q_mul(m, a.s2, 30), sphere_arc(q, lobe_q_mul(m, cosine, 30)), 30);
+             lobe_q_mul(lobe_q_mul(m, a.s2, 30), lobe_q_arc(q, lobe_q_mul(m, cosine, 30)), 30);
     up = lobe_q_mul(a.s2, lobe_q_max(a.c, 0), 30);
     return lobe_sphere_diffuse_scaled(up + lobe_q_max(excess, 0), -3 * a.e);
 }

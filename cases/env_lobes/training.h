@@ -1,0 +1,22 @@
+/* What env_lobes is fitted on: environments that need no file, a grid of (alpha, n_dot_v), and the weights of the parts
+ * of the objective (cell.h). */
+#ifndef LOBE_ENV_TRAINING_H
+#define LOBE_ENV_TRAINING_H
+#include "cell.h"
+
+enum { LOBE_TRAINING_ALPHAS = 10, LOBE_TRAINING_VIEWS = 10, LOBE_TRAINING_CELLS = 100, LOBE_TRAINING_MAPS = 9 };
+
+typedef struct lobe_training {
+    lobe_cell_options options;
+    lobe_orientations *orientations;
+    lobe_sphere_kernels *kernels;
+    lobe_env_spectrum spectra[LOBE_TRAINING_MAPS];
+    double alpha[LOBE_TRAINING_CELLS], n_dot_v[LOBE_TRAINING_CELLS], weight[LOBE_TRAINING_CELLS]; /* weights sum to 1 */
+    lobe_cell *cell[LOBE_TRAINING_CELLS];
+} lobe_training;
+
+/* Only the shape counts where shape_alone is not 0. NULL where there is no memory. */
+lobe_training *lobe_training_new(int shape_alone, int threads);
+void lobe_training_free(lobe_training *t);
+
+#endif

@@ -1,0 +1,10 @@
+/* lobe_env_lobes_sg1 of ../env_taps.h in integers: see env_lobes_sg.h. */
+#include "env_lobes_sg.h"
+#include "../coeffs/env_lobes_sg_lobes1.h"
+
+static const int32_t lobe_env_lobes_sg1_rows[LOBE_ENV_LOBES_SG1_ROW_COUNT][LOBE_ENV_COLUMNS] = LOBE_ENV_LOBES_SG1_ROWS;
+
+void lobe_env_lobes_sg1_q30(int32_t roughness, int32_t n_dot_v, lobe_env_sg_tap_q16 taps[1])
+{
+    lobe_env_sg_fan_q30(roughness, n_dot_v, lobe_env_lobes_sg1_rows, LOBE_ENV_LOBES_SG1_ROW_COUNT, 1, taps);
+}
