@@ -9,7 +9,9 @@
 #include "diffuse_sh/tiers.h"
 #include "diffuse_sh/truth_diffuse.h"
 #include "energy/fit.h"
+#include "energy/weight_vectors.h"
 #include "env_lobes_sg/fit.h"
+#include "env_lobes_sg/front.h"
 #include "env_lobes/fit.h"
 #include "env_lobes/front.h"
 #include "env_lobes/truth_env_lobes.h"
@@ -169,6 +171,7 @@ static const lobe_case cases[] = {
                 {"azimuth", 0.0, 3.141592653589793}},
      .outputs = {"response", "response_schlick"},
      .truth = lobe_truth_env_lobes_rows,
+     .vectors = &lobe_env_lobes_vectors,
      .fit = lobe_env_lobes_fit,
      .search = lobe_env_lobes_search},
     {.name = "sg_light",
@@ -198,7 +201,9 @@ static const lobe_case cases[] = {
      .outputs = {"albedo"},
      .truth = lobe_truth_energy_rows,
      .truth_opencl = lobe_truth_energy_opencl,
-     .fit = lobe_env_sg_fit},
+     .vectors = &lobe_env_lobes_sg_vectors,
+     .fit = lobe_env_sg_fit,
+     .search = lobe_env_sg_search},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",
      .brdf = "GGX, Schlick-Smith with k = alpha/2, alpha = roughness^2; a published formula was fitted to it",

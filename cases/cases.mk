@@ -19,7 +19,7 @@ CASES_HDR := $(wildcard core/*.h models/*.h models/coeffs/*.h cases/*.h cases/*/
 TRUTH_SRC := $(wildcard cases/split_sum/truth_*.c cases/energy/truth_*.c cases/diffuse_sh/truth_*.c) \
              $(addprefix cases/fit/, digest.c opencl.c random.c rows.c sweep.c)
 TRUTH_OBJ := $(TRUTH_SRC:%.c=$(B)/%.o) $(B)/cases/split_sum/truth_source.o
-CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/split_sum/tiers.c \
+CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/split_sum/tiers.c cases/energy/weight_vectors.c \
              $(addprefix cases/diffuse_sh/, points.c tiers.c closed_form.c metric.c shipped.c)
 -include cases/sphere_light.mk
 -include cases/sphere_diffuse.mk

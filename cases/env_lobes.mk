@@ -21,3 +21,9 @@ $(ENV_LOBES_TESTS:%=$(B)/test/%): $(B)/test/%: cases/test/%.c $(TRUTH_OBJ) $(OPT
     $(filter-out %/fit.o %/front.o,$(ENV_LOBES_OBJ)) $(addprefix $(B)/cases/environment/,environment.o sky.o)
 	@mkdir -p $(@D)
 	$(CC) $(CASES_CFLAGS) $(sort $(filter %.c %.o,$^)) $(LOBEFIT_LIBS) -lcmocka -o $@
+
+TESTS += $(if $(EMIT_OBJ),$(B)/test/test_env_operations)
+$(B)/test/test_env_operations: cases/test/test_env_operations.c $(B)/cases/env_lobes/operations.o $(B)/cases/fit/trace.o \
+    $(CASES_HDR)
+	@mkdir -p $(@D)
+	$(CC) $(CASES_CFLAGS) $(filter %.c %.o,$^) -lm -o $@

@@ -107,9 +107,12 @@ int lobe_command_list(int argc, char **argv)
            "max below", "domain", "inputs -> outputs", "kernel");
     for (i = 0; i < lobe_entry_count; i++) {
         const lobe_entry *e = &lobe_entries[i];
-        char domain[160], columns[320];
+        char domain[160], columns[160];
         lobe_domain_text(e, domain, sizeof domain);
-        snprintf(columns, sizeof columns, "%s->%s", e->input_names, e->output_names);
+        if (e->nth)
+            snprintf(columns, sizeof columns, "%s->%dx(angle width weight)", e->input_names, e->outputs / e->nth);
+        else
+            snprintf(columns, sizeof columns, "%s->%s", e->input_names, e->output_names);
         for (char *c = columns; *c; c++)
             if (*c == ' ')
                 *c = ',';

@@ -87,16 +87,16 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
         const lobe_sphere_q30 light = {in[1].q, in[2].q, in[3].q, in[4].q};                                            \
         out[0].q = lobe_scaled_to_q30(lobe_##model##_##tier##_q30(in[0].q, light));                                    \
     }
-#define SCHLICK_CALL_F32(model, tier, function, member)                                                                     \
+#define SCHLICK_CALL_F32(model, tier, function, member)                                                                \
     static void model##_##tier##_f32(const lobe_value *in, lobe_value *out)                                            \
     {                                                                                                                  \
-        out[0].f = function(in[0].f, lobe_sphere_of_f32(in[1].f, in[2].f, in[3].f, in[4].f)) member;                          \
+        out[0].f = function(in[0].f, lobe_sphere_of_f32(in[1].f, in[2].f, in[3].f, in[4].f)) member;                   \
     }
-#define SCHLICK_CALL_Q30(model, tier, function, member)                                                                     \
+#define SCHLICK_CALL_Q30(model, tier, function, member)                                                                \
     static void model##_##tier##_q30(const lobe_value *in, lobe_value *out)                                            \
     {                                                                                                                  \
         const lobe_sphere_q30 light = {in[1].q, in[2].q, in[3].q, in[4].q};                                            \
-        out[0].q = function(in[0].q, light) member;                                                                           \
+        out[0].q = function(in[0].q, light) member;                                                                    \
     }
 #define SCHLICK_F32(model, tier, bounds, kernel) SCHLICK_CALL_F32(model, tier, kernel##_f32, )
 #define SCHLICK_Q30(model, tier, bounds, kernel) SCHLICK_CALL_Q30(model, tier, kernel##_q30, )
@@ -145,7 +145,7 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
     {                                                                                                                  \
         out[0].q = lobe_scaled_to_q30(lobe_##model##_##tier##_q30(in[0].q, in[1].q));                                  \
     }
-#define ENV_OUT(field, wide, weigh, n)                                                                                        \
+#define ENV_OUT(field, wide, weigh, n)                                                                                 \
     do {                                                                                                               \
         int k;                                                                                                         \
         for (k = 0; k < (n); k++) {                                                                                    \
@@ -154,15 +154,17 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
             out[3 * k + 2].field = taps[k].weigh;                                                                      \
         }                                                                                                              \
     } while (0)
-#define ENV_CALL(model, tier, kernel, n, tap, wide, weigh, format, field)                                                     \
+#define ENV_CALL(model, tier, kernel, n, tap, wide, weigh, format, field)                                              \
     static void model##_##tier##_##format(const lobe_value *in, lobe_value *out)                                       \
     {                                                                                                                  \
         tap taps[n];                                                                                                   \
         kernel##_##format(in[0].field, in[1].field, taps);                                                             \
-        ENV_OUT(field, wide, weigh, n);                                                                                       \
+        ENV_OUT(field, wide, weigh, n);                                                                                \
     }
-#define ENV_F32(model, tier, bounds, kernel, n) ENV_CALL(model, tier, kernel, n, lobe_env_tap_f32, width, weight, f32, f)
-#define ENV_Q30(model, tier, bounds, kernel, n) ENV_CALL(model, tier, kernel, n, lobe_env_tap_q30, width, weight_q16, q30, q)
+#define ENV_F32(model, tier, bounds, kernel, n)                                                                        \
+    ENV_CALL(model, tier, kernel, n, lobe_env_tap_f32, width, weight, f32, f)
+#define ENV_Q30(model, tier, bounds, kernel, n)                                                                        \
+    ENV_CALL(model, tier, kernel, n, lobe_env_tap_q30, width, weight_q16, q30, q)
 #define ENV_SG_F32(model, tier, bounds, kernel, n)                                                                     \
     ENV_CALL(model, tier, kernel, n, lobe_env_sg_tap_f32, sharpness, weight, f32, f)
 #define ENV_SG_Q30(model, tier, bounds, kernel, n)                                                                     \
@@ -318,7 +320,8 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
      3,                                                                                                                \
      q16},
 #define ENV_F32(model, tier, bounds, kernel, n) ROW_ENV(model, tier, f32, F32, bounds, kernel, n, "prefilter", 0)
-#define ENV_Q30(model, tier, bounds, kernel, n) ROW_ENV(model, tier, q30, Q30, bounds, kernel, n, "prefilter", 044444444)
+#define ENV_Q30(model, tier, bounds, kernel, n)                                                                        \
+    ROW_ENV(model, tier, q30, Q30, bounds, kernel, n, "prefilter", 044444444)
 #define ENV_SG_F32(model, tier, bounds, kernel, n) ROW_ENV(model, tier, f32, F32, bounds, kernel, n, "sg", 0)
 #define ENV_SG_Q30(model, tier, bounds, kernel, n) ROW_ENV(model, tier, q30, Q30, bounds, kernel, n, "sg", 0xffffff)
 const lobe_entry lobe_entries[] = {

@@ -39,8 +39,8 @@ typedef struct lobe_entry {
     const lobe_range *ranges; /* one an input */
     /* Fans of taps. Otherwise NULL, 0 and 0. */
     const char *prefilter; /* the kernel that an environment is to be prefiltered with */
-    int nth;               /* no output has a truth, but the sum of every nth, from nth - 1 on, is E: what vectors hold */
-    unsigned q16;          /* bit k: in q30 output k is Q16.16 */
+    int nth;      /* no output has a truth, but the sum of every nth, from nth - 1 on, is E: what vectors hold */
+    unsigned q16; /* bit k: in q30 output k is Q16.16 */
 } lobe_entry;
 
 extern const lobe_entry lobe_entries[];

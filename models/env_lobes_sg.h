@@ -111,57 +111,57 @@ LOBE_FN lobe_env_tap lobe_env_sg_weighed(lobe_env_tap t, lobe_real factor, lobe_
 /* One lobe: 24 coefficients. */
 LOBE_FN lobe_env_tap lobe_env_lobes_sg_lobes1(LOBE_COEFFS lobe_real roughness, lobe_real n_dot_v, lobe_real albedo)
 {
-    lobe_env_point point = lobe_env_point_of(roughness, n_dot_v);
+    lobe_env_point at = lobe_env_point_of(roughness, n_dot_v);
     LOBE_LET e = lobe_saturate(albedo);
     LOBE_LET zero = LOBE_R(0.0);
     LOBE_LET shift =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES1_C0, LOBE_ENV_LOBES_SG_LOBES1_C1, LOBE_ENV_LOBES_SG_LOBES1_C2,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES1_C0, LOBE_ENV_LOBES_SG_LOBES1_C1, LOBE_ENV_LOBES_SG_LOBES1_C2,
                      LOBE_ENV_LOBES_SG_LOBES1_C3, LOBE_ENV_LOBES_SG_LOBES1_C4, LOBE_ENV_LOBES_SG_LOBES1_C5,
                      LOBE_ENV_LOBES_SG_LOBES1_C6, LOBE_ENV_LOBES_SG_LOBES1_C7, LOBE_ENV_LOBES_SG_LOBES1_C8,
                      LOBE_ENV_LOBES_SG_LOBES1_C9, LOBE_ENV_LOBES_SG_LOBES1_C10, LOBE_ENV_LOBES_SG_LOBES1_C11);
     LOBE_LET level =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES1_C12, LOBE_ENV_LOBES_SG_LOBES1_C13, LOBE_ENV_LOBES_SG_LOBES1_C14,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES1_C12, LOBE_ENV_LOBES_SG_LOBES1_C13, LOBE_ENV_LOBES_SG_LOBES1_C14,
                      LOBE_ENV_LOBES_SG_LOBES1_C15, LOBE_ENV_LOBES_SG_LOBES1_C16, LOBE_ENV_LOBES_SG_LOBES1_C17,
                      LOBE_ENV_LOBES_SG_LOBES1_C18, LOBE_ENV_LOBES_SG_LOBES1_C19, LOBE_ENV_LOBES_SG_LOBES1_C20,
                      LOBE_ENV_LOBES_SG_LOBES1_C21, LOBE_ENV_LOBES_SG_LOBES1_C22, LOBE_ENV_LOBES_SG_LOBES1_C23);
-    lobe_env_sg_fan fan = lobe_env_sg_fan_of(point, shift, level, zero, zero, zero, zero, zero, zero);
-    return lobe_env_sg_weighed(lobe_env_sg_tap_of(fan, point.a, zero), e, zero);
+    lobe_env_sg_fan fan = lobe_env_sg_fan_of(at, shift, level, zero, zero, zero, zero, zero, zero);
+    return lobe_env_sg_weighed(lobe_env_sg_tap_of(fan, at.a, zero), e, zero);
 }
 
 /* 2 lobes: 60 coefficients. */
 LOBE_FN lobe_env_sg2 lobe_env_lobes_sg_lobes2(LOBE_COEFFS lobe_real roughness, lobe_real n_dot_v, lobe_real albedo)
 {
-    lobe_env_point point = lobe_env_point_of(roughness, n_dot_v);
+    lobe_env_point at = lobe_env_point_of(roughness, n_dot_v);
     LOBE_LET e = lobe_saturate(albedo);
     LOBE_LET zero = LOBE_R(0.0);
     LOBE_LET shift =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES2_C0, LOBE_ENV_LOBES_SG_LOBES2_C1, LOBE_ENV_LOBES_SG_LOBES2_C2,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES2_C0, LOBE_ENV_LOBES_SG_LOBES2_C1, LOBE_ENV_LOBES_SG_LOBES2_C2,
                      LOBE_ENV_LOBES_SG_LOBES2_C3, LOBE_ENV_LOBES_SG_LOBES2_C4, LOBE_ENV_LOBES_SG_LOBES2_C5,
                      LOBE_ENV_LOBES_SG_LOBES2_C6, LOBE_ENV_LOBES_SG_LOBES2_C7, LOBE_ENV_LOBES_SG_LOBES2_C8,
                      LOBE_ENV_LOBES_SG_LOBES2_C9, LOBE_ENV_LOBES_SG_LOBES2_C10, LOBE_ENV_LOBES_SG_LOBES2_C11);
     LOBE_LET level =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES2_C12, LOBE_ENV_LOBES_SG_LOBES2_C13, LOBE_ENV_LOBES_SG_LOBES2_C14,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES2_C12, LOBE_ENV_LOBES_SG_LOBES2_C13, LOBE_ENV_LOBES_SG_LOBES2_C14,
                      LOBE_ENV_LOBES_SG_LOBES2_C15, LOBE_ENV_LOBES_SG_LOBES2_C16, LOBE_ENV_LOBES_SG_LOBES2_C17,
                      LOBE_ENV_LOBES_SG_LOBES2_C18, LOBE_ENV_LOBES_SG_LOBES2_C19, LOBE_ENV_LOBES_SG_LOBES2_C20,
                      LOBE_ENV_LOBES_SG_LOBES2_C21, LOBE_ENV_LOBES_SG_LOBES2_C22, LOBE_ENV_LOBES_SG_LOBES2_C23);
     LOBE_LET spread =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES2_C24, LOBE_ENV_LOBES_SG_LOBES2_C25, LOBE_ENV_LOBES_SG_LOBES2_C26,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES2_C24, LOBE_ENV_LOBES_SG_LOBES2_C25, LOBE_ENV_LOBES_SG_LOBES2_C26,
                      LOBE_ENV_LOBES_SG_LOBES2_C27, LOBE_ENV_LOBES_SG_LOBES2_C28, LOBE_ENV_LOBES_SG_LOBES2_C29,
                      LOBE_ENV_LOBES_SG_LOBES2_C30, LOBE_ENV_LOBES_SG_LOBES2_C31, LOBE_ENV_LOBES_SG_LOBES2_C32,
                      LOBE_ENV_LOBES_SG_LOBES2_C33, LOBE_ENV_LOBES_SG_LOBES2_C34, LOBE_ENV_LOBES_SG_LOBES2_C35);
     LOBE_LET tilt =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES2_C36, LOBE_ENV_LOBES_SG_LOBES2_C37, LOBE_ENV_LOBES_SG_LOBES2_C38,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES2_C36, LOBE_ENV_LOBES_SG_LOBES2_C37, LOBE_ENV_LOBES_SG_LOBES2_C38,
                      LOBE_ENV_LOBES_SG_LOBES2_C39, LOBE_ENV_LOBES_SG_LOBES2_C40, LOBE_ENV_LOBES_SG_LOBES2_C41,
                      LOBE_ENV_LOBES_SG_LOBES2_C42, LOBE_ENV_LOBES_SG_LOBES2_C43, LOBE_ENV_LOBES_SG_LOBES2_C44,
                      LOBE_ENV_LOBES_SG_LOBES2_C45, LOBE_ENV_LOBES_SG_LOBES2_C46, LOBE_ENV_LOBES_SG_LOBES2_C47);
     LOBE_LET lean =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES2_C48, LOBE_ENV_LOBES_SG_LOBES2_C49, LOBE_ENV_LOBES_SG_LOBES2_C50,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES2_C48, LOBE_ENV_LOBES_SG_LOBES2_C49, LOBE_ENV_LOBES_SG_LOBES2_C50,
                      LOBE_ENV_LOBES_SG_LOBES2_C51, LOBE_ENV_LOBES_SG_LOBES2_C52, LOBE_ENV_LOBES_SG_LOBES2_C53,
                      LOBE_ENV_LOBES_SG_LOBES2_C54, LOBE_ENV_LOBES_SG_LOBES2_C55, LOBE_ENV_LOBES_SG_LOBES2_C56,
                      LOBE_ENV_LOBES_SG_LOBES2_C57, LOBE_ENV_LOBES_SG_LOBES2_C58, LOBE_ENV_LOBES_SG_LOBES2_C59);
-    lobe_env_sg_fan fan = lobe_env_sg_fan_of(point, shift, level, spread, tilt, lean, zero, zero, zero);
-    lobe_env_tap t0 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(-1.0));
-    lobe_env_tap t1 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(1.0));
+    lobe_env_sg_fan fan = lobe_env_sg_fan_of(at, shift, level, spread, tilt, lean, zero, zero, zero);
+    lobe_env_tap t0 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(-1.0));
+    lobe_env_tap t1 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(1.0));
     LOBE_LET sum = t0.weight + t1.weight;
     LOBE_LET less = e * fan.rim;
     LOBE_LET factor = (e + LOBE_R(2.0) * less) / sum;
@@ -174,53 +174,53 @@ LOBE_FN lobe_env_sg2 lobe_env_lobes_sg_lobes2(LOBE_COEFFS lobe_real roughness, l
 /* 4 lobes: 96 coefficients. */
 LOBE_FN lobe_env_sg4 lobe_env_lobes_sg_lobes4(LOBE_COEFFS lobe_real roughness, lobe_real n_dot_v, lobe_real albedo)
 {
-    lobe_env_point point = lobe_env_point_of(roughness, n_dot_v);
+    lobe_env_point at = lobe_env_point_of(roughness, n_dot_v);
     LOBE_LET e = lobe_saturate(albedo);
     LOBE_LET shift =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C0, LOBE_ENV_LOBES_SG_LOBES4_C1, LOBE_ENV_LOBES_SG_LOBES4_C2,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C0, LOBE_ENV_LOBES_SG_LOBES4_C1, LOBE_ENV_LOBES_SG_LOBES4_C2,
                      LOBE_ENV_LOBES_SG_LOBES4_C3, LOBE_ENV_LOBES_SG_LOBES4_C4, LOBE_ENV_LOBES_SG_LOBES4_C5,
                      LOBE_ENV_LOBES_SG_LOBES4_C6, LOBE_ENV_LOBES_SG_LOBES4_C7, LOBE_ENV_LOBES_SG_LOBES4_C8,
                      LOBE_ENV_LOBES_SG_LOBES4_C9, LOBE_ENV_LOBES_SG_LOBES4_C10, LOBE_ENV_LOBES_SG_LOBES4_C11);
     LOBE_LET level =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C12, LOBE_ENV_LOBES_SG_LOBES4_C13, LOBE_ENV_LOBES_SG_LOBES4_C14,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C12, LOBE_ENV_LOBES_SG_LOBES4_C13, LOBE_ENV_LOBES_SG_LOBES4_C14,
                      LOBE_ENV_LOBES_SG_LOBES4_C15, LOBE_ENV_LOBES_SG_LOBES4_C16, LOBE_ENV_LOBES_SG_LOBES4_C17,
                      LOBE_ENV_LOBES_SG_LOBES4_C18, LOBE_ENV_LOBES_SG_LOBES4_C19, LOBE_ENV_LOBES_SG_LOBES4_C20,
                      LOBE_ENV_LOBES_SG_LOBES4_C21, LOBE_ENV_LOBES_SG_LOBES4_C22, LOBE_ENV_LOBES_SG_LOBES4_C23);
     LOBE_LET spread =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C24, LOBE_ENV_LOBES_SG_LOBES4_C25, LOBE_ENV_LOBES_SG_LOBES4_C26,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C24, LOBE_ENV_LOBES_SG_LOBES4_C25, LOBE_ENV_LOBES_SG_LOBES4_C26,
                      LOBE_ENV_LOBES_SG_LOBES4_C27, LOBE_ENV_LOBES_SG_LOBES4_C28, LOBE_ENV_LOBES_SG_LOBES4_C29,
                      LOBE_ENV_LOBES_SG_LOBES4_C30, LOBE_ENV_LOBES_SG_LOBES4_C31, LOBE_ENV_LOBES_SG_LOBES4_C32,
                      LOBE_ENV_LOBES_SG_LOBES4_C33, LOBE_ENV_LOBES_SG_LOBES4_C34, LOBE_ENV_LOBES_SG_LOBES4_C35);
     LOBE_LET tilt =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C36, LOBE_ENV_LOBES_SG_LOBES4_C37, LOBE_ENV_LOBES_SG_LOBES4_C38,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C36, LOBE_ENV_LOBES_SG_LOBES4_C37, LOBE_ENV_LOBES_SG_LOBES4_C38,
                      LOBE_ENV_LOBES_SG_LOBES4_C39, LOBE_ENV_LOBES_SG_LOBES4_C40, LOBE_ENV_LOBES_SG_LOBES4_C41,
                      LOBE_ENV_LOBES_SG_LOBES4_C42, LOBE_ENV_LOBES_SG_LOBES4_C43, LOBE_ENV_LOBES_SG_LOBES4_C44,
                      LOBE_ENV_LOBES_SG_LOBES4_C45, LOBE_ENV_LOBES_SG_LOBES4_C46, LOBE_ENV_LOBES_SG_LOBES4_C47);
     LOBE_LET lean =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C48, LOBE_ENV_LOBES_SG_LOBES4_C49, LOBE_ENV_LOBES_SG_LOBES4_C50,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C48, LOBE_ENV_LOBES_SG_LOBES4_C49, LOBE_ENV_LOBES_SG_LOBES4_C50,
                      LOBE_ENV_LOBES_SG_LOBES4_C51, LOBE_ENV_LOBES_SG_LOBES4_C52, LOBE_ENV_LOBES_SG_LOBES4_C53,
                      LOBE_ENV_LOBES_SG_LOBES4_C54, LOBE_ENV_LOBES_SG_LOBES4_C55, LOBE_ENV_LOBES_SG_LOBES4_C56,
                      LOBE_ENV_LOBES_SG_LOBES4_C57, LOBE_ENV_LOBES_SG_LOBES4_C58, LOBE_ENV_LOBES_SG_LOBES4_C59);
     LOBE_LET rim =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C60, LOBE_ENV_LOBES_SG_LOBES4_C61, LOBE_ENV_LOBES_SG_LOBES4_C62,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C60, LOBE_ENV_LOBES_SG_LOBES4_C61, LOBE_ENV_LOBES_SG_LOBES4_C62,
                      LOBE_ENV_LOBES_SG_LOBES4_C63, LOBE_ENV_LOBES_SG_LOBES4_C64, LOBE_ENV_LOBES_SG_LOBES4_C65,
                      LOBE_ENV_LOBES_SG_LOBES4_C66, LOBE_ENV_LOBES_SG_LOBES4_C67, LOBE_ENV_LOBES_SG_LOBES4_C68,
                      LOBE_ENV_LOBES_SG_LOBES4_C69, LOBE_ENV_LOBES_SG_LOBES4_C70, LOBE_ENV_LOBES_SG_LOBES4_C71);
     LOBE_LET taper =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C72, LOBE_ENV_LOBES_SG_LOBES4_C73, LOBE_ENV_LOBES_SG_LOBES4_C74,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C72, LOBE_ENV_LOBES_SG_LOBES4_C73, LOBE_ENV_LOBES_SG_LOBES4_C74,
                      LOBE_ENV_LOBES_SG_LOBES4_C75, LOBE_ENV_LOBES_SG_LOBES4_C76, LOBE_ENV_LOBES_SG_LOBES4_C77,
                      LOBE_ENV_LOBES_SG_LOBES4_C78, LOBE_ENV_LOBES_SG_LOBES4_C79, LOBE_ENV_LOBES_SG_LOBES4_C80,
                      LOBE_ENV_LOBES_SG_LOBES4_C81, LOBE_ENV_LOBES_SG_LOBES4_C82, LOBE_ENV_LOBES_SG_LOBES4_C83);
     LOBE_LET flare =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES4_C84, LOBE_ENV_LOBES_SG_LOBES4_C85, LOBE_ENV_LOBES_SG_LOBES4_C86,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES4_C84, LOBE_ENV_LOBES_SG_LOBES4_C85, LOBE_ENV_LOBES_SG_LOBES4_C86,
                      LOBE_ENV_LOBES_SG_LOBES4_C87, LOBE_ENV_LOBES_SG_LOBES4_C88, LOBE_ENV_LOBES_SG_LOBES4_C89,
                      LOBE_ENV_LOBES_SG_LOBES4_C90, LOBE_ENV_LOBES_SG_LOBES4_C91, LOBE_ENV_LOBES_SG_LOBES4_C92,
                      LOBE_ENV_LOBES_SG_LOBES4_C93, LOBE_ENV_LOBES_SG_LOBES4_C94, LOBE_ENV_LOBES_SG_LOBES4_C95);
-    lobe_env_sg_fan fan = lobe_env_sg_fan_of(point, shift, level, spread, tilt, lean, rim, taper, flare);
-    lobe_env_tap t0 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(-1.0));
-    lobe_env_tap t1 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(-0.3333333333333333));
-    lobe_env_tap t2 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(0.3333333333333333));
-    lobe_env_tap t3 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(1.0));
+    lobe_env_sg_fan fan = lobe_env_sg_fan_of(at, shift, level, spread, tilt, lean, rim, taper, flare);
+    lobe_env_tap t0 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(-1.0));
+    lobe_env_tap t1 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(-0.3333333333333333));
+    lobe_env_tap t2 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(0.3333333333333333));
+    lobe_env_tap t3 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(1.0));
     LOBE_LET sum = t0.weight + t1.weight + t2.weight + t3.weight;
     LOBE_LET less = e * fan.rim;
     LOBE_LET factor = (e + LOBE_R(4.0) * less) / sum;
@@ -235,57 +235,57 @@ LOBE_FN lobe_env_sg4 lobe_env_lobes_sg_lobes4(LOBE_COEFFS lobe_real roughness, l
 /* 8 lobes: 96 coefficients. */
 LOBE_FN lobe_env_sg8 lobe_env_lobes_sg_lobes8(LOBE_COEFFS lobe_real roughness, lobe_real n_dot_v, lobe_real albedo)
 {
-    lobe_env_point point = lobe_env_point_of(roughness, n_dot_v);
+    lobe_env_point at = lobe_env_point_of(roughness, n_dot_v);
     LOBE_LET e = lobe_saturate(albedo);
     LOBE_LET shift =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C0, LOBE_ENV_LOBES_SG_LOBES8_C1, LOBE_ENV_LOBES_SG_LOBES8_C2,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C0, LOBE_ENV_LOBES_SG_LOBES8_C1, LOBE_ENV_LOBES_SG_LOBES8_C2,
                      LOBE_ENV_LOBES_SG_LOBES8_C3, LOBE_ENV_LOBES_SG_LOBES8_C4, LOBE_ENV_LOBES_SG_LOBES8_C5,
                      LOBE_ENV_LOBES_SG_LOBES8_C6, LOBE_ENV_LOBES_SG_LOBES8_C7, LOBE_ENV_LOBES_SG_LOBES8_C8,
                      LOBE_ENV_LOBES_SG_LOBES8_C9, LOBE_ENV_LOBES_SG_LOBES8_C10, LOBE_ENV_LOBES_SG_LOBES8_C11);
     LOBE_LET level =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C12, LOBE_ENV_LOBES_SG_LOBES8_C13, LOBE_ENV_LOBES_SG_LOBES8_C14,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C12, LOBE_ENV_LOBES_SG_LOBES8_C13, LOBE_ENV_LOBES_SG_LOBES8_C14,
                      LOBE_ENV_LOBES_SG_LOBES8_C15, LOBE_ENV_LOBES_SG_LOBES8_C16, LOBE_ENV_LOBES_SG_LOBES8_C17,
                      LOBE_ENV_LOBES_SG_LOBES8_C18, LOBE_ENV_LOBES_SG_LOBES8_C19, LOBE_ENV_LOBES_SG_LOBES8_C20,
                      LOBE_ENV_LOBES_SG_LOBES8_C21, LOBE_ENV_LOBES_SG_LOBES8_C22, LOBE_ENV_LOBES_SG_LOBES8_C23);
     LOBE_LET spread =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C24, LOBE_ENV_LOBES_SG_LOBES8_C25, LOBE_ENV_LOBES_SG_LOBES8_C26,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C24, LOBE_ENV_LOBES_SG_LOBES8_C25, LOBE_ENV_LOBES_SG_LOBES8_C26,
                      LOBE_ENV_LOBES_SG_LOBES8_C27, LOBE_ENV_LOBES_SG_LOBES8_C28, LOBE_ENV_LOBES_SG_LOBES8_C29,
                      LOBE_ENV_LOBES_SG_LOBES8_C30, LOBE_ENV_LOBES_SG_LOBES8_C31, LOBE_ENV_LOBES_SG_LOBES8_C32,
                      LOBE_ENV_LOBES_SG_LOBES8_C33, LOBE_ENV_LOBES_SG_LOBES8_C34, LOBE_ENV_LOBES_SG_LOBES8_C35);
     LOBE_LET tilt =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C36, LOBE_ENV_LOBES_SG_LOBES8_C37, LOBE_ENV_LOBES_SG_LOBES8_C38,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C36, LOBE_ENV_LOBES_SG_LOBES8_C37, LOBE_ENV_LOBES_SG_LOBES8_C38,
                      LOBE_ENV_LOBES_SG_LOBES8_C39, LOBE_ENV_LOBES_SG_LOBES8_C40, LOBE_ENV_LOBES_SG_LOBES8_C41,
                      LOBE_ENV_LOBES_SG_LOBES8_C42, LOBE_ENV_LOBES_SG_LOBES8_C43, LOBE_ENV_LOBES_SG_LOBES8_C44,
                      LOBE_ENV_LOBES_SG_LOBES8_C45, LOBE_ENV_LOBES_SG_LOBES8_C46, LOBE_ENV_LOBES_SG_LOBES8_C47);
     LOBE_LET lean =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C48, LOBE_ENV_LOBES_SG_LOBES8_C49, LOBE_ENV_LOBES_SG_LOBES8_C50,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C48, LOBE_ENV_LOBES_SG_LOBES8_C49, LOBE_ENV_LOBES_SG_LOBES8_C50,
                      LOBE_ENV_LOBES_SG_LOBES8_C51, LOBE_ENV_LOBES_SG_LOBES8_C52, LOBE_ENV_LOBES_SG_LOBES8_C53,
                      LOBE_ENV_LOBES_SG_LOBES8_C54, LOBE_ENV_LOBES_SG_LOBES8_C55, LOBE_ENV_LOBES_SG_LOBES8_C56,
                      LOBE_ENV_LOBES_SG_LOBES8_C57, LOBE_ENV_LOBES_SG_LOBES8_C58, LOBE_ENV_LOBES_SG_LOBES8_C59);
     LOBE_LET rim =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C60, LOBE_ENV_LOBES_SG_LOBES8_C61, LOBE_ENV_LOBES_SG_LOBES8_C62,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C60, LOBE_ENV_LOBES_SG_LOBES8_C61, LOBE_ENV_LOBES_SG_LOBES8_C62,
                      LOBE_ENV_LOBES_SG_LOBES8_C63, LOBE_ENV_LOBES_SG_LOBES8_C64, LOBE_ENV_LOBES_SG_LOBES8_C65,
                      LOBE_ENV_LOBES_SG_LOBES8_C66, LOBE_ENV_LOBES_SG_LOBES8_C67, LOBE_ENV_LOBES_SG_LOBES8_C68,
                      LOBE_ENV_LOBES_SG_LOBES8_C69, LOBE_ENV_LOBES_SG_LOBES8_C70, LOBE_ENV_LOBES_SG_LOBES8_C71);
     LOBE_LET taper =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C72, LOBE_ENV_LOBES_SG_LOBES8_C73, LOBE_ENV_LOBES_SG_LOBES8_C74,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C72, LOBE_ENV_LOBES_SG_LOBES8_C73, LOBE_ENV_LOBES_SG_LOBES8_C74,
                      LOBE_ENV_LOBES_SG_LOBES8_C75, LOBE_ENV_LOBES_SG_LOBES8_C76, LOBE_ENV_LOBES_SG_LOBES8_C77,
                      LOBE_ENV_LOBES_SG_LOBES8_C78, LOBE_ENV_LOBES_SG_LOBES8_C79, LOBE_ENV_LOBES_SG_LOBES8_C80,
                      LOBE_ENV_LOBES_SG_LOBES8_C81, LOBE_ENV_LOBES_SG_LOBES8_C82, LOBE_ENV_LOBES_SG_LOBES8_C83);
     LOBE_LET flare =
-        lobe_env_sum(point, LOBE_ENV_LOBES_SG_LOBES8_C84, LOBE_ENV_LOBES_SG_LOBES8_C85, LOBE_ENV_LOBES_SG_LOBES8_C86,
+        lobe_env_sum(at, LOBE_ENV_LOBES_SG_LOBES8_C84, LOBE_ENV_LOBES_SG_LOBES8_C85, LOBE_ENV_LOBES_SG_LOBES8_C86,
                      LOBE_ENV_LOBES_SG_LOBES8_C87, LOBE_ENV_LOBES_SG_LOBES8_C88, LOBE_ENV_LOBES_SG_LOBES8_C89,
                      LOBE_ENV_LOBES_SG_LOBES8_C90, LOBE_ENV_LOBES_SG_LOBES8_C91, LOBE_ENV_LOBES_SG_LOBES8_C92,
                      LOBE_ENV_LOBES_SG_LOBES8_C93, LOBE_ENV_LOBES_SG_LOBES8_C94, LOBE_ENV_LOBES_SG_LOBES8_C95);
-    lobe_env_sg_fan fan = lobe_env_sg_fan_of(point, shift, level, spread, tilt, lean, rim, taper, flare);
-    lobe_env_tap t0 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(-1.0));
-    lobe_env_tap t1 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(-0.7142857142857143));
-    lobe_env_tap t2 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(-0.42857142857142855));
-    lobe_env_tap t3 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(-0.14285714285714285));
-    lobe_env_tap t4 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(0.14285714285714285));
-    lobe_env_tap t5 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(0.42857142857142855));
-    lobe_env_tap t6 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(0.7142857142857143));
-    lobe_env_tap t7 = lobe_env_sg_tap_of(fan, point.a, LOBE_R(1.0));
+    lobe_env_sg_fan fan = lobe_env_sg_fan_of(at, shift, level, spread, tilt, lean, rim, taper, flare);
+    lobe_env_tap t0 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(-1.0));
+    lobe_env_tap t1 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(-0.7142857142857143));
+    lobe_env_tap t2 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(-0.42857142857142855));
+    lobe_env_tap t3 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(-0.14285714285714285));
+    lobe_env_tap t4 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(0.14285714285714285));
+    lobe_env_tap t5 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(0.42857142857142855));
+    lobe_env_tap t6 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(0.7142857142857143));
+    lobe_env_tap t7 = lobe_env_sg_tap_of(fan, at.a, LOBE_R(1.0));
     LOBE_LET sum = t0.weight + t1.weight + t2.weight + t3.weight + t4.weight + t5.weight + t6.weight + t7.weight;
     LOBE_LET less = e * fan.rim;
     LOBE_LET factor = (e + LOBE_R(8.0) * less) / sum;

@@ -53,14 +53,14 @@ void lobe_sg_light_high_n_f32(const float *roughness, const float *n_dot_v, cons
 lobe_scaled_q30 lobe_sg_light_medium_q30(int32_t roughness, lobe_sg_q30 light);
 lobe_scaled_q30 lobe_sg_light_high_q30(int32_t roughness, lobe_sg_q30 light);
 
-/* Diffuse under them: irradiance over pi of amplitude 1, clipped at the horizon: times the light's amplitude and the base
- * colour it is what Lambert reflects. n_dot_l is the height of the axis, [-1, 1], versine 1 / sharpness, (0, 4], held
- * there; NaN counts as the lower end. Errors are parts of what the same light gives overhead, over sharpness .5 to 4096.
- * DIFFUSE Source: models/sg_diffuse.h. */
+/* Diffuse under them: irradiance over pi of amplitude 1, clipped at the horizon; times the light's amplitude and the
+ * base colour it is what Lambert reflects. n_dot_l is the height of the axis, [-1, 1], versine 1 / sharpness, (0, 4],
+ * held there; NaN counts as the lower end. Errors are parts of what the same light gives overhead, over sharpness .5 to
+ * 4096. max .00503, rms .0011. 46 operations. Source: models/sg_diffuse.h. */
 float lobe_sg_diffuse_f32(float n_dot_l, float versine);
 
-/* The same as an inner product with an SG for the cosine: max .170 where the light is narrow, 
- * INNER. */
+/* The same as an inner product with a Gaussian that stands for the cosine: max .170 where the light is narrow, rms
+ * .063. 42 operations. */
 float lobe_sg_diffuse_inner_f32(float n_dot_l, float versine);
 
 #endif

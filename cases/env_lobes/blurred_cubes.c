@@ -75,14 +75,17 @@ void lobe_blurred_cubes_free(lobe_blurred_cubes *cubes)
 
 double lobe_blurred_cubes_level(double solid_angle)
 {
-    const double level = log2(fmax(1e-9, 0.5 * sqrt(solid_angle) / LOBE_BLUR_FINEST));
+    const double level = log2(fmax(1e-9, 0.7 * sqrt(solid_angle) / LOBE_BLUR_FINEST));
     return fmin(LOBE_BLUR_LEVELS - 1, fmax(0, level));
 }
 
 double lobe_blurred_cubes_at(const lobe_blurred_cubes *cubes, const double d[3], double level)
 {
     const double x = fabs(d[0]), y = fabs(d[1]), z = fabs(d[2]);
-    const int axis = x >= y && x >= z ? 0 : y >= z ? 1 : 2, low = level < LOBE_BLUR_LEVELS - 1 ? (int)level : (int)level - 1;
+    const int axis = x >= y && x >= z ? 0
+                     : y >= z         ? 1
+                                      : 2,
+              low = level < LOBE_BLUR_LEVELS - 1 ? (int)level : (int)level - 1;
     const double scale = 0.5 * SIDE / fabs(d[axis]), u = d[(axis + 1) % 3] * scale + 0.5 * SIDE,
                  v = d[(axis + 2) % 3] * scale + 0.5 * SIDE, c = level - low;
     const int i = u < SIDE - 1 ? (int)u : SIDE - 1, j = v < SIDE - 1 ? (int)v : SIDE - 1;

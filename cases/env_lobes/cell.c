@@ -6,7 +6,7 @@
 #include "kernels.h"
 #include "visible_normals.h"
 
-enum { ORDER = 48, CANDIDATES = 360, ROWS = LOBE_CELL_ROWS };
+enum { CANDIDATES = 360, ROWS = LOBE_CELL_ROWS };
 
 struct lobe_cell {
     double alpha, n_dot_v;
@@ -49,7 +49,8 @@ static void spread(const lobe_cell *c, double angle, double log_t, double *out, 
 static void prepare_samples(lobe_cell *c, double *nodes)
 {
     const lobe_orientations *o = c->options->orientations;
-    const int count = lobe_visible_nodes(c->alpha, c->n_dot_v, ORDER, nodes), each = o->count / o->environments;
+    const int count = lobe_visible_nodes(c->alpha, c->n_dot_v, c->options->order, nodes),
+              each = o->count / o->environments;
     double albedo = 0;
     for (int i = 0; i < count; i++)
         albedo += nodes[5 * i + 3];
@@ -118,7 +119,7 @@ lobe_cell *lobe_cell_new(double alpha, double n_dot_v, const lobe_cell_options *
 {
     lobe_cell *c = calloc(1, sizeof *c);
     const size_t samples = (size_t)options->orientations->count, all = samples + LOBE_SPHERE_VALUES;
-    double *room = malloc(sizeof *room * (5 * ORDER * ORDER + all * CANDIDATES));
+    double *room = malloc(sizeof *room * (5 * (size_t)options->order * (size_t)options->order + all * CANDIDATES));
     if (c) {
         c->alpha = alpha;
         c->n_dot_v = n_dot_v;

@@ -24,7 +24,8 @@ typedef struct lobe_cell_options {
     int spectrum_count;
     double share[LOBE_CELL_PARTS]; /* weights of the parts */
     double dark; /* a truth below this part of the mean over its environment counts as if it were it */
-    int judge; /* not 0: errors alone are asked for, no residuals, which spares the projection */
+    int order;   /* of the nodes for the truth, visible_normals.h */
+    int judge;   /* not 0: errors alone are asked for, no residuals, which spares the projection */
 } lobe_cell_options;
 
 typedef struct lobe_cell lobe_cell;

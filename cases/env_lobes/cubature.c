@@ -31,7 +31,7 @@ static double refine(const work *w, double z, double dz, double phi, double dphi
     double part[4], sum = 0;
     for (int k = 0; k < 4; k++)
         sum += part[k] = box(w, z + (k / 2) * dz / 2, dz / 2, phi + (k % 2) * dphi / 2, dphi / 2);
-    if (depth > 24 || fabs(sum - before) <= w->tolerance * dz * dphi / (2 * pi))
+    if (depth > 14 || fabs(sum - before) <= w->tolerance * sqrt(dz * dphi / (2 * pi)) / BOXES)
         return sum;
     sum = 0;
     for (int k = 0; k < 4; k++)

@@ -7,11 +7,7 @@ lobe_fan_point lobe_fan_point_of(double alpha, double n_dot_v)
 {
     const lobe_env_point k = lobe_env_point_of(sqrt(alpha), n_dot_v);
     const lobe_fan_point p = {
-        alpha,
-        n_dot_v,
-        k.theta,
-        k.reach,
-        {1, k.f1, k.f2, k.f3, k.f4, k.f5, k.f6, k.f7, k.f8, k.f9, k.f10, k.f11},
+        alpha, n_dot_v, k.theta, k.reach, {1, k.f1, k.f2, k.f3, k.f4, k.f5, k.f6, k.f7, k.f8, k.f9, k.f10, k.f11},
     };
     return p;
 }

@@ -13,7 +13,7 @@ typedef struct lobe_fan_point {
 
 lobe_fan_point lobe_fan_point_of(double alpha, double n_dot_v);
 
-int lobe_fan_count(int taps); /* of coefficients */
+int lobe_fan_count(int taps);              /* of coefficients */
 int lobe_fan_first(int tap, int quantity); /* quantity 0: shift, 1: width, 2: part */
 
 /* growth, unless NULL: of each tap the derivative of ln t by its width's sum. */

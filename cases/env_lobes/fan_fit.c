@@ -125,8 +125,8 @@ static void row_start(int taps, uint64_t seed, double *p)
         const double at = taps > 1 ? 2.0 * i / (taps - 1) - 1 : 0;
         p[lobe_fan_first(i, 0) + 1] = -0.7 + reach * at;
         p[lobe_fan_first(i, 0) + 3] = -0.7;
-        p[lobe_fan_first(i, 1)] = -0.6 - (taps > 1 ? 0.8 * lobe_random_unit(&r) : 0) + 0.3 * fabs(at) +
-                                  0.3 * (lobe_random_unit(&r) - 0.5);
+        p[lobe_fan_first(i, 1)] =
+            -0.6 - (taps > 1 ? 0.8 * lobe_random_unit(&r) : 0) + 0.3 * fabs(at) + 0.3 * (lobe_random_unit(&r) - 0.5);
         if (i < taps - 1)
             p[lobe_fan_first(i, 2)] = 1.0 / taps;
     }
@@ -155,7 +155,7 @@ static void split_start(int taps, const double *half, uint64_t seed, double *p)
 
 lobe_fit_result lobe_fan_search(lobe_fan_fit *fit, int taps, const double *half, double *p)
 {
-    enum { STARTS = 6, SPLITS = 2 };
+    enum { STARTS = 5, SPLITS = 2 };
     double best[2][LOBE_FAN_MOST], value[2] = {INFINITY, INFINITY};
     lobe_fit_result result = {0};
     for (int s = half ? 0 : SPLITS; s < (taps > 1 ? STARTS : SPLITS + 1); s++) {

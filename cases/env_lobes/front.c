@@ -27,7 +27,8 @@ typedef struct request {
 } request;
 
 /* One map's errors and their part of the means. */
-static bool judge_one(const char *name, const lobe_environment *map, const request *r, lobe_judge_errors *sum, FILE *out)
+static bool judge_one(const char *name, const lobe_environment *map, const request *r, lobe_judge_errors *sum,
+                      FILE *out)
 {
     lobe_judge_errors e;
     if (!lobe_judge_environment(map, 7, r->sweep.threads, &e)) {

@@ -12,8 +12,8 @@
 
 const double lobe_judge_alpha[LOBE_JUDGE_ALPHAS] = {.04, .08, .16, .32, .6, 1};
 const double lobe_judge_view[LOBE_JUDGE_VIEWS] = {.05, .25, .5, .75, 1};
-const char *const lobe_judge_name[LOBE_JUDGE_MODELS] = {"split sum", "dominant direction", "lobes1",
-                                                        "lobes2",    "lobes4",             "lobes8"};
+const char *const lobe_judge_name[LOBE_JUDGE_MODELS] = {"split sum", "dominant direction", "lobes1", "lobes2", "lobes4",
+                                                        "lobes8"};
 
 static lobe_cell_tap of_kernel(lobe_env_tap tap)
 {
@@ -97,7 +97,7 @@ bool lobe_judge_environment(const lobe_environment *map, unsigned seed, int thre
     memset(errors, 0, sizeof *errors);
     if (good) {
         double number[LOBE_JUDGE_CELLS], square[LOBE_JUDGE_CELLS * COLUMNS];
-        lobe_cell_options options = {orientations, kernels, &spectrum, 1, {1, 1, 1}, 0, 1};
+        lobe_cell_options options = {orientations, kernels, &spectrum, 1, {1, 1, 1}, 0, 112, 1};
         lobe_parallel parallel = {ask, &options, 1, COLUMNS, (size_t)threads};
         lobe_env_spectrum_of(&harmonics, &spectrum);
         lobe_harmonics_free(&harmonics);

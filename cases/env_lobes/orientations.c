@@ -155,8 +155,7 @@ lobe_orientations *lobe_orientations_new(const lobe_environment *maps, int map_c
         lobe_random_seed(&r, seed, 55);
         for (size_t i = 0; i < count; i++)
             draw_axes(&r, o->axes[i]);
-        good = run(&j, fill_taps, (int)count * (ANGLES / TOGETHER), threads) &&
-               run(&j, fill_cubes, map_count, threads);
+        good = run(&j, fill_taps, (int)count * (ANGLES / TOGETHER), threads) && run(&j, fill_cubes, map_count, threads);
     }
     if (good)
         make_splines(o);

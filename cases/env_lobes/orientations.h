@@ -15,10 +15,10 @@ enum { LOBE_ORIENTATION_ANGLES = 248, LOBE_ORIENTATION_WIDTHS = 44 };
 #define LOBE_ORIENTATION_ANGLE_HI 2.6
 
 typedef struct lobe_orientations {
-    int count;         /* samples: environments times their orientations */
+    int count; /* samples: environments times their orientations */
     int environments;
-    double (*axes)[9]; /* of each: normal, towards the mirror direction in the plane, across */
-    float *tap;        /* spline coefficients [angle + 1][width + 1][sample] */
+    double (*axes)[9];         /* of each: normal, towards the mirror direction in the plane, across */
+    float *tap;                /* spline coefficients [angle + 1][width + 1][sample] */
     lobe_blurred_cubes *cubes; /* of each environment */
 } lobe_orientations;
 

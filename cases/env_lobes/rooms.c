@@ -157,8 +157,7 @@ static void cloud(const waves *w, const double d[3], double rgb[3])
 {
     double sum = 0;
     for (int i = 0; i < WAVES * OCTAVES; i++)
-        sum += w->height[i] *
-               sin(w->along[i][0] * d[0] + w->along[i][1] * d[1] + w->along[i][2] * d[2] + w->phase[i]);
+        sum += w->height[i] * sin(w->along[i][0] * d[0] + w->along[i][1] * d[1] + w->along[i][2] * d[2] + w->phase[i]);
     for (int k = 0; k < 3; k++)
         rgb[k] = exp(0.35 * sum) * (1 - 0.1 * k);
 }

@@ -1,5 +1,5 @@
-/* Environments that need no file. Equal seeds give equal maps; every kind has as many as there are seeds, so that what a
- * fit is judged by need not be what it was trained on. */
+/* Environments that need no file. Equal seeds give equal maps; every kind has as many as there are seeds, so that what
+ * a fit is judged by need not be what it was trained on. */
 #ifndef LOBE_ENV_ROOMS_H
 #define LOBE_ENV_ROOMS_H
 #include "../environment/environment.h"

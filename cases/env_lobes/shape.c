@@ -1,5 +1,6 @@
 #include "shape.h"
 #include <math.h>
+#include <stddef.h>
 #include "../fit/random.h"
 #include "cubature.h"
 #include "kernels.h"
@@ -8,12 +9,25 @@
 #include "visible_normals.h"
 
 typedef struct scene {
-    double alpha, n_dot_v;
+    double alpha, n_dot_v, albedo;
     const lobe_cell_tap *taps;
     int count;
 } scene;
 
-static double response(const scene *s, const double d[3]) { return lobe_response(s->alpha, s->n_dot_v, d); }
+static double response(const scene *s, const double d[3]) { return lobe_response(s->alpha, s->n_dot_v, d) / s->albedo; }
+
+static double one(void *ctx, const double d[3])
+{
+    (void)ctx;
+    (void)d;
+    return 1;
+}
+
+static scene scene_of(double alpha, double n_dot_v, const lobe_cell_tap *taps, int count)
+{
+    const scene s = {alpha, n_dot_v, lobe_visible_integral(alpha, n_dot_v, 128, one, NULL), taps, count};
+    return s;
+}
 
 static double along(const lobe_cell_tap *tap, const double d[3])
 {
@@ -42,14 +56,14 @@ static double square_of_response(void *ctx, const double d[3])
 
 double lobe_shape_error(double alpha, double n_dot_v, const lobe_cell_tap *taps, int count)
 {
-    scene s = {alpha, n_dot_v, taps, count};
+    scene s = scene_of(alpha, n_dot_v, taps, count);
     const double rough = lobe_cubature(square_of_response, &s, 1e-2), tolerance = 1e-5 * rough;
     return sqrt(lobe_cubature(square_of_difference, &s, tolerance) / lobe_cubature(square_of_response, &s, tolerance));
 }
 
 double lobe_shape_error_sampled(double alpha, double n_dot_v, const lobe_cell_tap *taps, int count, int samples)
 {
-    scene s = {alpha, n_dot_v, taps, count};
+    scene s = scene_of(alpha, n_dot_v, taps, count);
     double error = 0, all = 0;
     lobe_random r;
     lobe_random_seed(&r, 11, 0);

@@ -1,5 +1,6 @@
-/* How far a fan of taps is from the response as a function on the sphere: the relative L2 error, by two integrators that
- * share nothing. Weights of the taps sum to the albedo. */
+/* How far a fan of taps is from the response as a function on the sphere: the relative L2 error, by two integrators
+ * that share nothing. Weights of the taps sum to 1: they are
+ * held against the response over its albedo. */
 #ifndef LOBE_ENV_SHAPE_H
 #define LOBE_ENV_SHAPE_H
 #include "cell.h"

@@ -8,7 +8,7 @@
 #include "spline.h"
 #include "visible_normals.h"
 
-enum { CHORDS = 160, WIDTHS = 56, FINE = 600, ORDER = 32, POINTS = LOBE_SPHERE_POINTS, MOST = LOBE_SPECTRA_MOST };
+enum { CHORDS = 160, WIDTHS = 56, FINE = 600, ORDER = 44, POINTS = LOBE_SPHERE_POINTS, MOST = LOBE_SPECTRA_MOST };
 
 /* Tables over q = asinh(chord / CHORD), chord = 2 sin(angle / 2), and over ln t. */
 #define CHORD 0.02
@@ -213,8 +213,7 @@ void lobe_sphere_norm_tap(const lobe_sphere_norm *norm, double angle, double t, 
     const double scale = (WIDTHS - 1) / log(T_HI / T_LO), stretch = (CHORDS - 1) / asinh(2 / CHORD);
     const lobe_spline_weights across = lobe_spline_at(WIDTHS, log(t / T_LO) * scale);
     const double k = 0.5 / (t * t), factor = norm->shape * lobe_prefilter_factor(t);
-    const double growth =
-        log(lobe_prefilter_factor(t * 1.001) / lobe_prefilter_factor(t / 1.001)) / (2 * log(1.001));
+    const double growth = log(lobe_prefilter_factor(t * 1.001) / lobe_prefilter_factor(t / 1.001)) / (2 * log(1.001));
     const double x = -sin(angle), z = cos(angle);
     for (int j = 0; j < POINTS; j++) {
         const double *p = norm->at[j], weight = norm->root_weight[j];

@@ -2,9 +2,9 @@
  * environments known by their power spectra, at all orientations alike, and as a shape.
  *
  * The first is the square integral of the difference after a blur by the spectrum's square root (spectrum.h). Blurred
- * kernels are round, so a spline over (angle to the axis, width) holds them; the blurred response is taken at the points
- * of one quadrature. Several spectra are one: each is divided by the energy of the response under it, then they are
- * averaged, so that the sum of squares is the mean of relative square errors. */
+ * kernels are round, so a spline over (angle to the axis, width) holds them; the blurred response is taken at the
+ * points of one quadrature. Several spectra are one: each is divided by the energy of the response under it, then they
+ * are averaged, so that the sum of squares is the mean of relative square errors. */
 #ifndef LOBE_ENV_SPHERE_NORM_H
 #define LOBE_ENV_SPHERE_NORM_H
 #include "spectrum.h"

@@ -56,8 +56,8 @@ lobe_training *lobe_training_new(int shape_alone, int threads)
     double number[LOBE_TRAINING_CELLS], made[LOBE_TRAINING_CELLS];
     bool good = t && light(t, threads) && (t->kernels = lobe_sphere_kernels_new()) != NULL;
     if (good) {
-        const lobe_cell_options options = {
-            t->orientations, t->kernels, t->spectra, LOBE_TRAINING_MAPS, {1, .5, .05}, .1, 0};
+        const lobe_cell_options options = {t->orientations, t->kernels, t->spectra, LOBE_TRAINING_MAPS,
+                                           {1, .5, .05},    .1,         72,         0};
         t->options = options;
         if (shape_alone) {
             t->options.share[LOBE_CELL_SAMPLES] = t->options.share[LOBE_CELL_SPECTRA] = 1e-9;

@@ -18,14 +18,19 @@ enum { ROUNDS = 60 };
 typedef struct problem {
     const lobe_sg_scenes *scenes;
     int count;
+    unsigned held;
 } problem;
 
 static double value(const void *ctx, size_t point, const double *quantity)
 {
     const problem *p = ctx;
     const lobe_sg_scene *s = &p->scenes->scene[point];
+    double q[LOBE_SG_QUANTITIES];
     lobe_sg lobes[LOBE_SG_MOST];
-    lobe_sg_lobes_of(s->target.alpha, s->target.n_dot_v, quantity, p->count, s->target.albedo, lobes);
+    int i;
+    for (i = 0; i < lobe_sg_quantities(p->count); i++)
+        q[i] = p->held >> i & 1 ? 0 : quantity[i];
+    lobe_sg_lobes_of(s->target.alpha, s->target.n_dot_v, q, p->count, s->target.albedo, lobes);
     return lobe_sg_scene_error(s, lobes, p->count);
 }
 
@@ -43,8 +48,8 @@ static int lobes_of(const void *ctx, double alpha, double n_dot_v, double energy
 
 static bool progress(void *ctx, int round, double sum)
 {
-    const lobe_fit_request *request = ctx;
-    if (request->sweep.progress)
+    const lobe_sweep_options *sweep = ctx;
+    if (sweep->progress)
         fprintf(stderr, "  round %d of at most %d: %.5f\n", round, (int)ROUNDS, sqrt(sum / LOBE_SG_FIT_POINTS));
     return !lobe_interrupt_requested();
 }
@@ -61,53 +66,56 @@ static void start(int count, double *c)
     c[LOBE_SG_FLARE * LOBE_SG_FEATURES] = 4;
 }
 
-static bool solve(const lobe_fit_request *request, const lobe_sg_scenes *scenes, int count, double *c, double *sum)
+static bool solve(const lobe_sweep_options *sweep, const problem *p, double *c)
 {
-    double features[LOBE_SG_FIT_POINTS * LOBE_SG_FEATURES];
-    const problem p = {scenes, count};
+    double features[LOBE_SG_FIT_POINTS * LOBE_SG_FEATURES], sum;
     const lobe_newton newton = {.value = value,
-                                .ctx = &p,
-                                .points = scenes->count,
-                                .quantities = lobe_sg_quantities(count),
+                                .ctx = p,
+                                .points = p->scenes->count,
+                                .quantities = lobe_sg_quantities(p->count),
                                 .features = LOBE_SG_FEATURES,
                                 .feature = features,
                                 .step = 0.03,
                                 .ridge = 1e-6,
                                 .rounds = ROUNDS,
-                                .threads = request->sweep.threads,
+                                .threads = sweep->threads,
                                 .progress = progress,
-                                .progress_ctx = (void *)request};
+                                .progress_ctx = (void *)sweep};
     size_t i;
-    for (i = 0; i < scenes->count; i++)
-        lobe_sg_features(scenes->scene[i].target.alpha, scenes->scene[i].target.n_dot_v,
+    for (i = 0; i < p->scenes->count; i++)
+        lobe_sg_features(p->scenes->scene[i].target.alpha, p->scenes->scene[i].target.n_dot_v,
                          features + i * LOBE_SG_FEATURES);
-    start(count, c);
-    return lobe_newton_run(&newton, c, sum);
+    start(p->count, c);
+    return lobe_newton_run(&newton, c, &sum);
+}
+
+int lobe_env_sg_solve(int count, unsigned held, const lobe_sweep_options *sweep, double *c, double *radiance,
+                      double *shape)
+{
+    lobe_env_spectrum spectra[LOBE_SG_TRAINING];
+    lobe_sg_scenes scenes = {0};
+    const problem p = {&scenes, count, held};
+    int i;
+    bool good = lobe_sg_lights_train(spectra) &&
+                lobe_sg_scenes_make(&scenes, false, spectra, LOBE_SG_TRAINING, SHAPE, sweep->threads) &&
+                solve(sweep, &p, c);
+    for (i = 0; good && i < lobe_sg_quantities(count) * LOBE_SG_FEATURES; i++)
+        c[i] = held >> (i / LOBE_SG_FEATURES) & 1 ? 0 : lobe_coefficient_rounded(c[i]);
+    *radiance =
+        good ? lobe_sg_scenes_error(&scenes, spectra, LOBE_SG_TRAINING, lobes_of, &(tried){c, count}, NULL, shape) : -1;
+    lobe_sg_scenes_free(&scenes);
+    return *radiance < 0 ? 2 : lobe_interrupt_requested();
 }
 
 static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, int count)
 {
-    lobe_env_spectrum spectra[LOBE_SG_TRAINING];
-    lobe_sg_scenes scenes = {0};
     lobe_coefficients out = {0};
     char tier[16], kernel[64], error[200];
-    double c[LOBE_SG_COEFFICIENTS], sum = 0, radiance, shape = 0;
-    int i;
-    bool good = lobe_sg_lights_train(spectra) &&
-                lobe_sg_scenes_make(&scenes, false, spectra, LOBE_SG_TRAINING, SHAPE, request->sweep.threads) &&
-                solve(request, &scenes, count, c, &sum);
-    for (i = 0; good && i < lobe_sg_quantities(count) * LOBE_SG_FEATURES; i++)
-        c[i] = lobe_coefficient_rounded(c[i]);
-    radiance =
-        good ? lobe_sg_scenes_error(&scenes, spectra, LOBE_SG_TRAINING, lobes_of, &(tried){c, count}, NULL, &shape)
-             : -1;
-    lobe_sg_scenes_free(&scenes);
-    if (radiance < 0) {
-        fputs("lobefit: fit: not enough memory\n", stderr);
-        return false;
-    }
-    if (lobe_interrupt_requested()) {
-        fprintf(stderr, "lobefit: fit env_lobes_sg lobes%d: interrupted; the old coefficients stand\n", count);
+    double c[LOBE_SG_COEFFICIENTS], radiance, shape = 0;
+    const int status = lobe_env_sg_solve(count, 0, &request->sweep, c, &radiance, &shape);
+    if (status) {
+        fprintf(stderr, "lobefit: fit env_lobes_sg lobes%d: %s; the old coefficients stand\n", count,
+                status == 1 ? "interrupted" : "not enough memory");
         return false;
     }
     snprintf(tier, sizeof tier, "lobes%d", count);

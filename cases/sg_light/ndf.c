@@ -25,7 +25,7 @@ double lobe_ndf_value(lobe_ndf kind, double alpha, double cosine)
     return kind == LOBE_NDF_GGX ? a2 / (pi * k * k) : exp(-t2 / a2) / (pi * a2 * c2 * c2);
 }
 
-/* The midpoint rule in x = tan^2 / (tan^2 + a^2), which is even over GGX's weight. */
+/* The midpoint rule in the root of 1 - tan^2 / (tan^2 + a^2): smooth at the horizon, and even enough over GGX. */
 static void target_make(target *t, lobe_ndf kind, int count, double alpha)
 {
     double square = 0;
@@ -33,8 +33,9 @@ static void target_make(target *t, lobe_ndf kind, int count, double alpha)
     t->count = count;
     t->alpha = alpha;
     for (i = 0; i < NODES; i++) {
-        const double x = (i + .5) / NODES, a2 = alpha * alpha, t2 = a2 * x / (1 - x), c = 1 / sqrt(1 + t2);
-        const double slope = a2 / ((1 - x) * (1 - x)) * .5 * c * c * c * c; /* c dc = c^4 / 2 d(tan^2) */
+        const double y = 1 - (i + .5) / NODES, rest = y * y, a2 = alpha * alpha, t2 = a2 * (1 - rest) / rest;
+        const double c = 1 / sqrt(1 + t2);
+        const double slope = a2 / (rest * rest) * .5 * c * c * c * c * 2 * y; /* c dc = c^4 / 2 d(tan^2) */
         t->below[i] = t2 * c * c / (1 + c);
         t->value[i] = lobe_ndf_value(kind, alpha, c);
         t->weight[i] = 2 * pi * slope / NODES;

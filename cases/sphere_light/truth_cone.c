@@ -80,7 +80,7 @@ static double integrate(cone *c, double l_z, double azimuth, double sigma, doubl
     breaks[1] = fabs(elevation);
     breaks[2] = mirror - 2 * c->alpha;
     breaks[3] = mirror + 2 * c->alpha;
-    breaks[4] = pi - elevation;
+    breaks[4] = pi - fabs(elevation);
     return lobe_quadrature(at_theta, c, fmax(0, -elevation), sigma, breaks, 5, tolerance, 0);
 }
 

@@ -17,7 +17,7 @@ static void counted(const lobe_value *in, lobe_value *out)
 
 static const lobe_range units[] = {{0, 1, 0, 1}, {0, 1, 0, 1}};
 static const lobe_entry entry = {"m", "t",     "counted", LOBE_F32, 2, 3, "a b", "c d e",
-                                 0,   counted, NULL,      1,        1, 1, 1,     units};
+                                 0,   counted, NULL,      1,        1, 1, 1,     units,   NULL, 0, 0};
 
 static uint64_t hash_with(uint32_t at, uint32_t output, uint32_t bits)
 {

@@ -12,8 +12,8 @@ static void fixed(const lobe_value *in, lobe_value *out)
 }
 
 static const lobe_range ranges[] = {{0.125, 1, 0, 1}, {0.125, 1, 0, 1}};
-static const lobe_entry entry = {"m", "t",   "fixed", LOBE_F32, 2,    2,   "a b", "c d",
-                                 1,   fixed, NULL,    1,        0.25, 0.1, 0.5,   ranges};
+static const lobe_entry entry = {"m",  "t", "fixed", LOBE_F32, 2,   2,      "a b", "c d", 1, fixed,
+                                 NULL, 1,   0.25,    0.1,      0.5, ranges, NULL,  0,     0};
 /* Three rows: two inside the domain, and one below it. */
 static const uint32_t inputs[] = {0x3f000000, 0x3f000000, 0x3f800000, 0x3e000000, 0x3f800000, 0x3d800000};
 static const double truths[] = {0.5, 0.25, 0.5, 0.25, 0.5, 0.25};
@@ -56,6 +56,32 @@ static void holds_the_sum_to_the_bound(void **state)
     assert_int_equal(v.inside.passed, 0);
     assert_int_equal(v.inside.output, 2);
     assert_int_equal(v.inside.row, 0);
+}
+
+/* Taps: the one truth is that of the sum of every second output, and the others may be anything. */
+static void holds_only_the_sum_of_every_nth(void **state)
+{
+    lobe_entry taps = entry;
+    lobe_vectors sums = vectors; /* the rows inside have the truths .5 and .25 */
+    lobe_value out[2];
+    (void)state;
+    taps.sums = 0;
+    taps.nth = 2;
+    taps.prefilter = "k";
+    sums.outputs = 1;
+    assert_int_equal(lobe_truth_count(&taps), 1);
+    assert_string_equal(lobe_truth_names(&taps), "E");
+    answer[0] = 100.0f;
+    answer[1] = 0.5f;
+    assert_int_equal(lobe_judge(&taps, &sums).inside.passed, 2);
+    answer[1] = 0.7f;
+    assert_int_equal(lobe_judge(&taps, &sums).inside.passed, 1);
+    answer[1] = 0.9f;
+    assert_int_equal(lobe_judge(&taps, &sums).inside.passed, 0);
+    taps.format = LOBE_Q30; /* Q16.16 where the mask says so */
+    taps.q16 = 2;
+    out[0].q = out[1].q = 1 << 16;
+    assert_true(lobe_output_real(&taps, 0, out[0]) == 0x1p-14 && lobe_answer(&taps, 0, out) == 1.0);
 }
 
 static void breaks_on_nan_and_infinity(void **state)
@@ -155,10 +181,15 @@ static void converts_numbers(void **state)
 int main(void)
 {
     const struct CMUnitTest tests[] = {
-        cmocka_unit_test(passes_at_the_bound),        cmocka_unit_test(breaks_beyond_it),
-        cmocka_unit_test(holds_the_sum_to_the_bound), cmocka_unit_test(breaks_on_nan_and_infinity),
-        cmocka_unit_test(the_smaller_bound_holds),    cmocka_unit_test(knows_the_domain),
-        cmocka_unit_test(converts_numbers),           cmocka_unit_test(holds_the_furnace_to_its_bound),
+        cmocka_unit_test(passes_at_the_bound),
+        cmocka_unit_test(breaks_beyond_it),
+        cmocka_unit_test(holds_the_sum_to_the_bound),
+        cmocka_unit_test(breaks_on_nan_and_infinity),
+        cmocka_unit_test(holds_only_the_sum_of_every_nth),
+        cmocka_unit_test(the_smaller_bound_holds),
+        cmocka_unit_test(knows_the_domain),
+        cmocka_unit_test(converts_numbers),
+        cmocka_unit_test(holds_the_furnace_to_its_bound),
     };
     return cmocka_run_group_tests_name("judge", tests, NULL, NULL);
 }

@@ -7,7 +7,7 @@
  *          in double;
  *          what ships is measured on a finer one: env_lobes_sg_bounds.h
  * seed     11
- * kernel   lobe_env_lobes_sg_lobes1 in models/env_lobes_sg.h, digest f72f193b98f71738 */
+ * kernel   lobe_env_lobes_sg_lobes1 in models/env_lobes_sg.h, digest 07a364ea7d66fc75 */
 #ifndef LOBE_COEFFS_ENV_LOBES_SG_LOBES1_H
 #define LOBE_COEFFS_ENV_LOBES_SG_LOBES1_H
 #if defined(LOBE_FIT)

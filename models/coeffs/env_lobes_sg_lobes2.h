@@ -7,7 +7,7 @@
  *          in double;
  *          what ships is measured on a finer one: env_lobes_sg_bounds.h
  * seed     11
- * kernel   lobe_env_lobes_sg_lobes2 in models/env_lobes_sg.h, digest a2f82d489a85fd7a */
+ * kernel   lobe_env_lobes_sg_lobes2 in models/env_lobes_sg.h, digest e005455164d3a0c1 */
 #ifndef LOBE_COEFFS_ENV_LOBES_SG_LOBES2_H
 #define LOBE_COEFFS_ENV_LOBES_SG_LOBES2_H
 #if defined(LOBE_FIT)

@@ -7,7 +7,7 @@
  *          in double;
  *          what ships is measured on a finer one: env_lobes_sg_bounds.h
  * seed     11
- * kernel   lobe_env_lobes_sg_lobes4 in models/env_lobes_sg.h, digest 42a421095aca6b62 */
+ * kernel   lobe_env_lobes_sg_lobes4 in models/env_lobes_sg.h, digest db8a230ed69569cc */
 #ifndef LOBE_COEFFS_ENV_LOBES_SG_LOBES4_H
 #define LOBE_COEFFS_ENV_LOBES_SG_LOBES4_H
 #if defined(LOBE_FIT)

@@ -7,7 +7,7 @@
  *          in double;
  *          what ships is measured on a finer one: env_lobes_sg_bounds.h
  * seed     11
- * kernel   lobe_env_lobes_sg_lobes8 in models/env_lobes_sg.h, digest 5a0701e07c02e4c8 */
+ * kernel   lobe_env_lobes_sg_lobes8 in models/env_lobes_sg.h, digest 5bc37ffcf30dcc80 */
 #ifndef LOBE_COEFFS_ENV_LOBES_SG_LOBES8_H
 #define LOBE_COEFFS_ENV_LOBES_SG_LOBES8_H
 #if defined(LOBE_FIT)

@@ -3,15 +3,12 @@
 #include "../../core/dialect.h"
 #include "../coeffs/capsule_light_high.h"
 
-static const lobe_capsule_terms_scaled lobe_capsule_high_terms = {.widen = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C0),
-                                                                  .set = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C1),
-                                                                  .level = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C2),
-                                                                  .reach = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C3),
-                                                                  .turn = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C4),
-                                                                  .near = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C5),
-                                                                  .centre =
-                                                                      LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C6),
-                                                                  .bend = LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C7)};
+static const lobe_capsule_terms_scaled lobe_capsule_high_terms = {
+    LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C0), LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C1),
+    LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C2), LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C3),
+    LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C4), LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C5),
+
+    LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C6), LOBE_QS_CONSTANT(LOBE_CAPSULE_LIGHT_HIGH_C7)};
 
 lobe_scaled_q30 lobe_capsule_light_high_q30(int32_t roughness, lobe_capsule_q30 light)
 {
