@@ -49,7 +49,7 @@ static void make_cells(void *ctx, const double *params, size_t count, double *va
     }
 }
 
-lobe_training *lobe_training_new(int shape_alone, int threads)
+lobe_training *lobe_training_new(double spectra, int threads)
 {
     lobe_training *t = calloc(1, sizeof *t);
     lobe_parallel parallel = {make_cells, t, 1, 1, (size_t)threads};
@@ -57,12 +57,8 @@ lobe_training *lobe_training_new(int shape_alone, int threads)
     bool good = t && light(t, threads) && (t->kernels = lobe_sphere_kernels_new()) != NULL;
     if (good) {
         const lobe_cell_options options = {t->orientations, t->kernels, t->spectra, LOBE_TRAINING_MAPS,
-                                           {1, .5, .05},    .1,         72,         0};
+                                           {1, spectra, .05},    .1,         72,         0};
         t->options = options;
-        if (shape_alone) {
-            t->options.share[LOBE_CELL_SAMPLES] = t->options.share[LOBE_CELL_SPECTRA] = 1e-9;
-            t->options.share[LOBE_CELL_SHAPE] = 1;
-        }
         for (int c = 0; c < LOBE_TRAINING_CELLS; c++) {
             t->alpha[c] = alphas[c / LOBE_TRAINING_VIEWS];
             t->n_dot_v[c] = views[c % LOBE_TRAINING_VIEWS];

@@ -15,8 +15,8 @@ typedef struct lobe_training {
     lobe_cell *cell[LOBE_TRAINING_CELLS];
 } lobe_training;
 
-/* Only the shape counts where shape_alone is not 0. NULL where there is no memory. */
-lobe_training *lobe_training_new(int shape_alone, int threads);
+/* The weight of what is held against all orientations; that of sampled ones is 1. NULL where there is no memory. */
+lobe_training *lobe_training_new(double spectra, int threads);
 void lobe_training_free(lobe_training *t);
 
 #endif

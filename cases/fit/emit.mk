@@ -8,7 +8,7 @@ EMIT_HDR := $(wildcard cases/fit/trace*.h cases/fit/emit*.h cases/test/emit_kern
 EMIT_CXXFLAGS := -std=gnu++11 -O3 -ffp-contract=off -fno-exceptions -fno-rtti -fno-threadsafe-statics \
                  -Wall -Wextra -Wconversion $(if $(WERROR),-Werror)
 # Lights of a size are integers by hand: they need a block exponent.
-EMIT_TIERS := $(filter-out sphere_% capsule_%,$(sort $(patsubst models/coeffs/%.h,%,$(wildcard $(addprefix models/coeffs/*_,low.h medium.h high.h exact.h zonal.h)))))
+EMIT_TIERS := $(filter-out sphere_% capsule_% sg_%,$(sort $(patsubst models/coeffs/%.h,%,$(wildcard $(addprefix models/coeffs/*_,low.h medium.h high.h exact.h zonal.h)))))
 # The tier of a name without its model: in a recipe, after name is set.
 EMIT_SPLIT := case $$name in *_zonal_low) tier=zonal_low ;; *) tier=$${name\#\#*_} ;; esac; model=$${name%_$$tier}
 

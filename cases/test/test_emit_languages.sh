@@ -36,7 +36,7 @@ for header in models/coeffs/*_low.h models/coeffs/*_medium.h models/coeffs/*_hig
     models/coeffs/*_zonal.h; do
     [ -f "$header" ] || continue
     name=$(basename "$header" .h)
-    case $name in sphere_* | capsule_*) continue ;; esac # lights of a size are not emitted
+    case $name in sphere_* | capsule_* | sg_*) continue ;; esac # lights of a size are not emitted
     case $name in *_zonal_low) tier=zonal_low ;; *) tier=${name##*_} ;; esac
     model=${name%_"$tier"}
     one=$dir/$name

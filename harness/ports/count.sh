@@ -22,11 +22,19 @@ if [ "$how" = chip ]; then
     # shellcheck disable=SC2086
     $runner "$program" >"$csv.new" 2>&1 || { cat "$csv.new" >&2; rm -f "$csv.new"; exit 1; }
 else
-    # Inclusive cost of each function over its 256 calls, and one for the call itself.
+    # Inclusive cost of each function over its calls (256 by the program), and one for the call itself.
     # shellcheck disable=SC2086
     $runner --callgrind-out-file="$csv.callgrind" "$program" >"$csv.names" 2>"$csv.log"
     callgrind_annotate --inclusive=yes --threshold=100 "$csv.callgrind" >"$csv.costs"
-    awk -F, '
+    # How often each was called: some are also called by others.
+    awk '
+        function name(text,    id) { id = text; sub(/\).*/, ")", id); sub(/^[^)]*\) ?/, "", text); if (text != "") known[id] = text; return known[id] }
+        /^fn=/ { name(substr($0, 4)) }
+        /^cfn=/ { callee = name(substr($0, 5)) }
+        /^calls=/ { split(substr($0, 7), c, " "); calls[callee] += c[1] }
+        END { for (k in calls) print k, calls[k] }' "$csv.callgrind" >"$csv.calls"
+    awk -F, -v often="$csv.calls" '
+        BEGIN { while ((getline line < often) > 0) { split(line, c, " "); calls[c[1]] = c[2] } }
         NR == FNR {
             if (match($0, /:[a-z0-9_]+_(f32|q30)( |$)/)) {
                 name = substr($0, RSTART + 1, RLENGTH - 1)
@@ -42,12 +50,15 @@ else
         FNR == 1 { print; next }
         {
             name = ($1 == "peer" ? "" : "lobe_") $1 "_" $2 "_" $3
+            # where the function is not called after its model and tier
+            if ($2 ~ /^lobes[0-9]+$/) name = "lobe_" $1 substr($2, 6) "_" $3
+            if ($1 == "sphere_light_schlick") name = "lobe_sphere_light_" ($2 == "high" ? "high_lit" : "schlick") "_" $3
             if (!(name in costs)) {
                 print "count.sh: callgrind does not know " name >"/dev/stderr"
                 exit 1
             }
-            printf "%s,%s,%s,%.0f\n", $1, $2, $3, costs[name] / 256 + 1
+            printf "%s,%s,%s,%.0f\n", $1, $2, $3, costs[name] / (name in calls ? calls[name] : 256) + 1
         }' "$csv.costs" "$csv.names" >"$csv.new"
-    rm -f "$csv.callgrind" "$csv.names" "$csv.costs" "$csv.log"
+    rm -f "$csv.callgrind" "$csv.calls" "$csv.names" "$csv.costs" "$csv.log"
 fi
 mv "$csv.new" "$csv"

@@ -34,6 +34,13 @@ answers() {
     *) points "$count" >"$work/points" && cp "$work/points" "$work/asked" ;;
     esac
     "$lobecheck" eval "$1" --tier "$2" --format "$3" <"$work/asked" >"$work/answers"
+    case $1 in
+    env_lobes*) # no truth of their own: vectors hold the sum of the weights, every third number
+        awk '{ sum = 0; for (i = 3; i <= NF; i += 3) sum += $i; printf "%.9g\n", sum }' "$work/answers" >"$work/sums"
+        mv "$work/sums" "$work/answers"
+        names="${names%%->*}->E"
+        ;;
+    esac
     paste -d' ' "$work/points" "$work/answers" |
         awk -v shift="${shift:-0}" -v at="$((count + 1))" '{ $at = sprintf("%.9g", $at + shift); print }' |
         seal "$1" "$2" "$3" "$bound" "${names%%->*}" "${names##*->}"
