@@ -23,6 +23,14 @@ extern "C" {
 #define LOBE_VERSION "0.1.0"
 #define LOBE_ONE_Q30 ((int32_t)1 << 30)
 
+/* A fixed-point number with a block exponent: the value is mantissa * 2^(exponent - 30), the mantissa 0 or in
+ * [2^29, 2^30], so that the light of a hundredth of a degree keeps its relative precision. lobe_scaled_to_q30 rounds to
+ * plain Q30, saturating. */
+typedef struct lobe_scaled_q30 {
+    int32_t mantissa, exponent;
+} lobe_scaled_q30;
+int32_t lobe_scaled_to_q30(lobe_scaled_q30 value);
+
 /* Split sum
  * ---------
  * Reflectance of GGX under constant light is f0 * scale + f90 * bias; lobe_reflectance_f32 computes it. Both terms and

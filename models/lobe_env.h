@@ -1,6 +1,7 @@
 /* A part of lobe.h, which includes it. */
 #ifndef LOBE_ENV_H
 #define LOBE_ENV_H
+#include "lobe.h"
 
 /* Environment specular
  * --------------------

@@ -1,6 +1,7 @@
 /* A part of lobe.h, which includes it. */
 #ifndef LOBE_LIGHTS_H
 #define LOBE_LIGHTS_H
+#include "lobe.h"
 
 /* Sphere lights
  * -------------
@@ -98,15 +99,10 @@ void lobe_sphere_light_schlick_n_f32(const float *roughness, const float *n_dot_
 void lobe_sphere_light_punctual_n_f32(const float *roughness, const float *n_dot_v, const float *n_dot_l,
                                       const float *tangent2, const float *sine, float *radiance, size_t n);
 
-/* The same in integers, with a block exponent: the value is mantissa * 2^(exponent - 30), the mantissa 0 or in
- * [2^29, 2^30], so that a light of a hundredth of a degree keeps its relative precision. Inputs are held as above.
+/* The same in integers, with a block exponent (lobe_scaled_q30). Inputs are held as above.
  * Within 2^-20 of the peak of the same formula in double, over the domain and to half angles of 90 degrees, the peak
  * being the largest result over the light's positions; down to roughness .05 and n_dot_v .02 within 2^-16. The tiers
- * are at most 1; punctual is unbounded. lobe_scaled_to_q30 rounds to plain Q30, saturating. */
-typedef struct lobe_scaled_q30 {
-    int32_t mantissa, exponent;
-} lobe_scaled_q30;
-int32_t lobe_scaled_to_q30(lobe_scaled_q30 value);
+ * are at most 1; punctual is unbounded. */
 lobe_scaled_q30 lobe_sphere_light_low_q30(int32_t roughness, lobe_sphere_q30 light);
 lobe_scaled_q30 lobe_sphere_light_medium_q30(int32_t roughness, lobe_sphere_q30 light);
 lobe_scaled_q30 lobe_sphere_light_high_q30(int32_t roughness, lobe_sphere_q30 light);

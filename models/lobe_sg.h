@@ -1,6 +1,7 @@
 /* A part of lobe.h, which includes it. */
 #ifndef LOBE_SG_H
 #define LOBE_SG_H
+#include "lobe.h"
 
 /* Lights that are spherical Gaussians
  * -----------------------------------
