@@ -14,7 +14,7 @@
 #define MODEL(model) TIER(model, "lobes1"), TIER(model, "lobes2"), TIER(model, "lobes4"), TIER(model, "lobes8")
 
 static const lobe_tier_bounds rows[] = {MODEL("env_lobes"), MODEL("env_lobes_sg")};
-enum { ROWS = sizeof rows / sizeof rows[0], VECTOR_ROWS = 128 };
+enum { ROWS = sizeof rows / sizeof rows[0], VECTOR_ROWS = 256 };
 
 #define COLUMNS(model, vector_set)                                                                                     \
     {                                                                                                                  \
