@@ -14,7 +14,7 @@
  *     weight = E ((1 + n R) g / sum g - R),  g = 2^(T d - K d^2),  n lobes,
  * Th, B, Sp, T, G, R, K and F being sums over the twelve products of env_lobes.h; a single lobe has Th and B alone, two
  * have the first five. Smooth by construction; at n_dot_v = 1 every angle is 0, where there is no plane of incidence.
- * G = F = R = 0 is the seed paper's model, with one sharpness for all and positive weights; with F the lobes at
+ * T = G = F = R = 0 is the seed paper's model, with one sharpness for all and positive weights; with F the lobes at
  * n_dot_v = 1 are concentric and make up the tail of GGX. Both inputs are clamped to [0, 1], NaN counts as 0; below
  * roughness .1 (alpha .01) the sharpness stays what it is there. */
 #ifndef LOBE_ENV_LOBES_SG_H

@@ -9,7 +9,9 @@
  *   _n          the same function over arrays; results have the same bits as one call an element.
  *               Arrays have n elements and must not overlap.
  * An input out of its domain, infinities included, is clamped to it; a NaN counts as 0. Nothing here
- * allocates, keeps state, sets errno, or traps. */
+ * allocates, keeps state, sets errno, or traps.
+ * Lights of a size are in lobe_lights.h, spherical Gaussian lights in lobe_sg.h, environments in lobe_env.h; this
+ * header includes them. */
 #ifndef LOBE_H
 #define LOBE_H
 

@@ -11,12 +11,15 @@
  *            cos(angle) normal - sin(angle) t, with t the unit vector along view - n_dot_v normal; where there is none,
  *            at n_dot_v = 1, every angle is 0. It may pass pi/2: a prefiltered map answers there too
  *   weight   may be negative: a narrow lobe less what spills under the horizon. The weights sum to the albedo
- *            lobe_energy_high, so a white furnace is right by construction: within 6.3e-5 where roughness and n_dot_v
- * are in [.02, 1], .0018 below. For Fresnel multiply the colour by (f0 scale + f90 bias) / (scale + bias) of a split
- * sum and of width there are two kinds, by what the environment was prefiltered with: lobe_env_lobes      the ordinary
- * split-sum prefilter. width is its roughness, [0, 1], by which an engine picks a mip; kernel max(0, c) / (1 + k (1 -
- * c))^2, c the cosine to the tap, k = (1 / width^4 - 1) / 2 lobe_env_lobes_sg spherical Gaussians. The kernel is
- * exp(sharpness (c - 1)), normalised over the sphere; under roughness .1 the sharpness stays what it is there
+ *            lobe_energy_high, so a white furnace is right by construction: within 6.3e-5 where roughness and
+ *            n_dot_v are in [.02, 1], .0018 below. For Fresnel multiply the colour by
+ *            (f0 scale + f90 bias) / (scale + bias) of a split sum
+ * and of width there are two kinds, by what the environment was prefiltered with:
+ *   lobe_env_lobes      the ordinary split-sum prefilter. width is its roughness, [0, 1], by which an engine picks a
+ *                       mip; kernel max(0, c) / (1 + k (1 - c))^2, c the cosine to the tap,
+ *                       k = (1 / width^4 - 1) / 2
+ *   lobe_env_lobes_sg   spherical Gaussians. The kernel is exp(sharpness (c - 1)), normalised over the sphere; under
+ *                       roughness .1 the sharpness stays what it is there
  *
  * All are smooth in both inputs. Both inputs are clamped to [0, 1], which is the domain; NaN counts as 0. Operations
  * include 77 for the albedo, which the kernels in models/env_lobes*.h take from whoever has one. How good they are as

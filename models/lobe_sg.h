@@ -18,9 +18,10 @@
  *   cells        relative L2 error over the axis's positions, of scenes that no fit has seen, root of the mean square;
  *                smooth: where alpha <= .25 and n_dot_v >= .4
  *   max, rms     of the radiance, absolute, with the place as (roughness, n_dot_v, n_dot_l, tangent2, versine)
- *   below        the same where an input is out of the domain: roughness from .05, n_dot_v from .001, versine 2^-16 to
- * 1 operations   beyond what the punctual light costs As the light shrinks every tier tends to
- * lobe_sphere_light_punctual of the same versine. */
+ *   below        the same where an input is out of the domain: roughness from .05, n_dot_v from .001, versine from
+ *                2^-16 to 1
+ *   operations   beyond what the punctual light costs
+ * As the light shrinks every tier tends to lobe_sphere_light_punctual of the same versine. */
 typedef struct lobe_sg_f32 {
     float n_dot_v, n_dot_l, tangent2, versine;
 } lobe_sg_f32;
