@@ -143,17 +143,20 @@ static const lobe_entry *entry_of(const char *kernel)
 
 static int check_all(const char *folder, FILE *list)
 {
-    char line[256], path[1024];
+    char line[256], kernel[256], path[1024];
     int failed = 0;
     while (fgets(line, sizeof line, list)) {
-        const lobe_entry *e;
-        line[strcspn(line, " \n")] = 0;
-        e = entry_of(line);
-        snprintf(path, sizeof path, "%s/%s.%s", folder, line, device_suffix);
-        if (e)
-            failed |= check(e, path);
+        const lobe_entry *e = NULL;
+        int inputs = 0, outputs = 0;
+        if (sscanf(line, "%255s %d %d", kernel, &inputs, &outputs) == 3)
+            e = entry_of(kernel);
+        snprintf(path, sizeof path, "%s/%s.%s", folder, kernel, device_suffix);
+        /* A program of another shape would write past its rows. */
+        if (!e || e->inputs != inputs || e->outputs != outputs)
+            failed |=
+                printf("BROKEN %s with %d inputs, %d outputs is not in the registry\n", kernel, inputs, outputs) != 0;
         else
-            failed |= printf("BROKEN %s is not in the registry\n", line) != 0;
+            failed |= check(e, path);
     }
     printf("conform: %s\n", failed ? "BROKEN" : "ok");
     return failed;

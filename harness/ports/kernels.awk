@@ -3,7 +3,9 @@
 #   awk -v want=list|glsl|cl|c [-v kernel=NAME] -f kernels.awk harness/registry_rows.h HEADER...
 #
 # A kernel is a LOBE_FN named lobe_MODEL_TIER, or as the fourth column says, where the registry (the first file) has a row
-# of that model and tier in f32; its inputs are scalars, or a struct S that LOBE_FN S_of makes of scalars, which are then the inputs. Tables have no kernel: they are texture fetches; nor has a tier without inputs, a constant.
+# of that model and tier in f32, and its results all members of what it returns, or of LIT rows the registry's one; its
+# inputs are scalars, or a struct S that LOBE_FN S_of makes of scalars, which are then the inputs. Tables have no kernel:
+# they are texture fetches; nor has a tier without inputs, a constant.
 #   list  a line a kernel: name, number of inputs, number of outputs
 #   glsl  main of a compute shader for `kernel`; cl: an OpenCL kernel `run`; both go behind the shader text
 #   c     host wrappers over arrays and a table of them
@@ -12,11 +14,15 @@ FNR == 1 { file++ }
 
 file == 1 {
     if (match($0, /^[A-Z0-9_]+_F32\([a-z0-9_]+, *[a-z0-9_]+/)) {
-        row = $0
+        row = row_kind = $0
+        sub(/\(.*/, "", row_kind)
         sub(/^[A-Z0-9_]+\(/, "", row)
         split(row, word, /, */)
         sub(/\).*/, "", word[4])
-        registered[word[4] != "" ? word[4] : "lobe_" word[1] "_" word[2]] = 1
+        name = word[4] != "" ? word[4] : "lobe_" word[1] "_" word[2]
+        registered[name] = 1
+        if (row_kind == "LIT_F32")
+            only[name] = "schlick"
     }
     next
 }
@@ -112,7 +118,7 @@ function find_kernels(s,    head, type, name, args, n) {
         names[kernels] = name
         types[name] = type
         inputs[name] = n
-        outputs[name] = type == "lobe_real" ? 1 : count[type]
+        outputs[name] = type == "lobe_real" || (name in only) ? 1 : count[type]
     }
 }
 
@@ -131,7 +137,7 @@ function body(name, x, y,    i, s, t) {
     t = types[name]
     s = "    " t " d = " call(name, x) ";\n"
     for (i = 0; i < outputs[name]; i++)
-        s = s "    " sprintf(y, outputs[name], i) " = d" (t == "lobe_real" ? "" : "." member[t, i]) ";\n"
+        s = s "    " sprintf(y, outputs[name], i) " = d" (name in only ? "." only[name] : t == "lobe_real" ? "" : "." member[t, i]) ";\n"
     return s
 }
 
