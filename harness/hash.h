@@ -8,7 +8,7 @@
 #define LOBE_FNV_PRIME UINT64_C(0x100000001b3)
 
 /* Evaluations behind a committed hash. */
-enum { LOBE_HASH_COUNT = 100000 };
+enum { LOBE_HASH_COUNT = 32768 };
 
 /* FNV-1a, 64 bits, over length bytes; start with LOBE_FNV_START. */
 uint64_t lobe_fnv1a(uint64_t hash, const void *bytes, size_t length);
