@@ -12,7 +12,8 @@ LOBEFIT_LIBS = -lm -lpthread -ldl
 -include cases/picture/picture.mk
 
 # The truth is worth -O3: its inner loop vectorises with the bits it has.
-CASES_CFLAGS = $(ALL_CFLAGS) -O3 $(if $(EMIT_OBJ),-DLOBE_WITH_EMIT)
+CASES_OPT ?= -O3
+CASES_CFLAGS = $(ALL_CFLAGS) $(CASES_OPT) $(if $(EMIT_OBJ),-DLOBE_WITH_EMIT)
 CASES_HDR := $(wildcard core/*.h models/*.h models/coeffs/*.h cases/*.h cases/*/*.h)
 
 # What the truth and the tests need, and what only lobefit does: the table of cases and their fits.
@@ -30,6 +31,7 @@ CASES_SRC := cases/cases.c cases/fit/vectors.c cases/split_sum/points.c cases/sp
 -include cases/sg_light.mk
 -include cases/env_lobes_sg.mk
 -include cases/picture/lights.mk
+-include cases/picture/environments.mk
 LOBEFIT_OBJ := $(sort $(CASES_SRC:%.c=$(B)/%.o) $(TRUTH_OBJ) $(FIT_OBJ) $(EMIT_OBJ))
 
 $(B)/cases/%.o: cases/%.c $(CASES_HDR)
