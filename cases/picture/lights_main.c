@@ -4,6 +4,7 @@
 #include "../fit/parallel.h"
 #include "lights.h"
 #include "png.h"
+#include "tone.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -16,8 +17,6 @@ static const char usage[] = "usage: lights_picture [--threads N] [--size PIXELS]
 
 enum { BATCH = 512, MARGIN = 16, LABEL = 112, GAP = 8, TOP = 70, CAPTION = 20, FOOT = 74 };
 
-static const unsigned char background[3] = {20, 20, 22}, white[3] = {236, 236, 236}, grey[3] = {150, 150, 154};
-static const unsigned char orange[3] = {255, 150, 40}, blue[3] = {80, 160, 255};
 static const char *const foot[] = {
     "mirrors of every roughness: F = 1, no diffuse light, no shadow, no second bounce.",
     "smoothed: the seed paper's soft minimum as printed, its capsule is Karis'.",
@@ -36,24 +35,10 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static unsigned char srgb(double x)
-{
-    const double c = fmin(1, fmax(0, x)), v = c < 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055;
-    return (unsigned char)(255 * v + 0.5);
-}
-
 static const double *value(const tile *t, int pixel, int r, int c)
 {
     return t->rgb + (size_t)pixel * LOBE_LIGHTS_VALUES + 3 * (r * LOBE_LIGHTS_COLUMNS + c);
 }
-
-static int order(const void *a, const void *b)
-{
-    const double x = *(const double *)a, y = *(const double *)b;
-    return (x > y) - (x < y);
-}
-
-static double luminance(const double *rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
 static int shade(tile *t, size_t threads)
 {
@@ -92,25 +77,22 @@ static double exposure_of(const tile *t, int r)
     if (!all)
         return 0;
     for (i = 0; i < count; i++)
-        all[i] = luminance(value(t, (int)i, r, 0));
-    qsort(all, count, sizeof *all, order);
-    exposure = .9 / fmax(1e-9, all[count - 1 - count / 100]);
+        all[i] = lobe_tone_luminance(value(t, (int)i, r, 0));
+    exposure = lobe_tone_exposure(all, count, 100);
     free(all);
     return exposure;
 }
 
 static void draw(lobe_canvas *sheet, const tile *t, int left, int top, int r, int c, double exposure)
 {
-    int i, k;
+    int i;
     for (i = 0; i < t->width * t->height; i++) {
         const lobe_lights_seen seen = lobe_lights_see(t->point[2 * i], t->point[2 * i + 1]);
-        unsigned char rgb[3] = {background[0], background[1], background[2]};
-        for (k = 0; k < 3; k++) {
-            if (seen == LOBE_LIGHTS_LAMP)
-                rgb[k] = 255;
-            else if (seen == LOBE_LIGHTS_SURFACE)
-                rgb[k] = srgb(exposure * value(t, i, r, c)[k]);
-        }
+        unsigned char rgb[3] = {lobe_tone_background[0], lobe_tone_background[1], lobe_tone_background[2]};
+        if (seen == LOBE_LIGHTS_LAMP)
+            memset(rgb, 255, sizeof rgb);
+        else if (seen == LOBE_LIGHTS_SURFACE)
+            lobe_tone_colour(value(t, i, r, c), exposure, rgb);
         lobe_canvas_pixel(sheet, left + i % t->width, top + i / t->width, rgb);
     }
 }
@@ -122,17 +104,17 @@ static void draw_difference(lobe_canvas *sheet, const tile *t, int left, int top
     int i, k;
     for (i = 0; i < t->width * t->height; i++) {
         const double *truth = value(t, i, r, 0), *form = value(t, i, r, c);
-        const double d = 3 * exposure * (luminance(form) - luminance(truth));
+        const double d = 3 * exposure * (lobe_tone_luminance(form) - lobe_tone_luminance(truth));
         unsigned char rgb[3];
         for (k = 0; k < 3; k++) {
-            rgb[k] = (unsigned char)(fmin(1, fabs(d)) * (d > 0 ? orange[k] : blue[k]) + 0.5);
             error += (form[k] - truth[k]) * (form[k] - truth[k]);
             square += truth[k] * truth[k];
         }
+        lobe_tone_difference(d, rgb);
         lobe_canvas_pixel(sheet, left + i % t->width, top + i / t->width, rgb);
     }
     snprintf(text, sizeof text, "%.1f %%", 100 * sqrt(error / square));
-    lobe_canvas_text(sheet, left + t->width - lobe_text_width(text, 2), top + t->height + 3, 2, text, grey);
+    lobe_canvas_text(sheet, left + t->width - lobe_text_width(text, 2), top + t->height + 3, 2, text, lobe_tone_grey);
 }
 
 static int draw_all(lobe_canvas *sheet, const tile *t)
@@ -142,12 +124,12 @@ static int draw_all(lobe_canvas *sheet, const tile *t)
     const int height = TOP + LOBE_LIGHTS_ROUGHNESSES * down + FOOT;
     size_t i;
     int r, c;
-    if (!lobe_canvas_allocate(sheet, width, height, background))
+    if (!lobe_canvas_allocate(sheet, width, height, lobe_tone_background))
         return 0;
     lobe_canvas_text(sheet, MARGIN, MARGIN, 2, "A floor and a ball of one roughness under a sphere light and a capsule",
-                     white);
+                     lobe_tone_white);
     for (c = 0; c < LOBE_LIGHTS_COLUMNS; c++)
-        lobe_canvas_text(sheet, MARGIN + LABEL + c * across, TOP - 24, 2, lobe_lights_column[c], white);
+        lobe_canvas_text(sheet, MARGIN + LABEL + c * across, TOP - 24, 2, lobe_lights_column[c], lobe_tone_white);
     for (r = 0; r < LOBE_LIGHTS_ROUGHNESSES; r++) {
         const int top = TOP + r * down, below = top + t->height + GAP / 2;
         const double exposure = exposure_of(t, r);
@@ -157,11 +139,11 @@ static int draw_all(lobe_canvas *sheet, const tile *t)
             return 0;
         }
         snprintf(text, sizeof text, "%g", lobe_lights_roughness[r]);
-        lobe_canvas_text(sheet, MARGIN, top, 2, "roughness", grey);
-        lobe_canvas_text(sheet, MARGIN, top + 20, 2, text, white);
-        lobe_canvas_text(sheet, MARGIN, below, 2, "too", grey);
-        lobe_canvas_text(sheet, MARGIN, below + 20, 2, "bright", orange);
-        lobe_canvas_text(sheet, MARGIN, below + 40, 2, "dark", blue);
+        lobe_canvas_text(sheet, MARGIN, top, 2, "roughness", lobe_tone_grey);
+        lobe_canvas_text(sheet, MARGIN, top + 20, 2, text, lobe_tone_white);
+        lobe_canvas_text(sheet, MARGIN, below, 2, "too", lobe_tone_grey);
+        lobe_canvas_text(sheet, MARGIN, below + 20, 2, "bright", lobe_tone_orange);
+        lobe_canvas_text(sheet, MARGIN, below + 40, 2, "dark", lobe_tone_blue);
         for (c = 0; c < LOBE_LIGHTS_COLUMNS; c++) {
             draw(sheet, t, MARGIN + LABEL + c * across, top, r, c, exposure);
             if (c > 0)
@@ -169,7 +151,7 @@ static int draw_all(lobe_canvas *sheet, const tile *t)
         }
     }
     for (i = 0; i < sizeof foot / sizeof foot[0]; i++)
-        lobe_canvas_text(sheet, MARGIN, height - FOOT + 8 + 20 * (int)i, 2, foot[i], grey);
+        lobe_canvas_text(sheet, MARGIN, height - FOOT + 8 + 20 * (int)i, 2, foot[i], lobe_tone_grey);
     return 1;
 }
 

@@ -1,7 +1,8 @@
 # Spheres under environments. The committed picture shows the maps of ../shared/data too, so without them another file
 # is written.
 LIGHTS_SRC  := $(addprefix cases/picture/,lights.c lights_main.c)
-PICTURE_SRC := $(filter-out $(LIGHTS_SRC),$(wildcard cases/picture/*.c))
+AROUND_SRC  := $(addprefix cases/picture/,environments.c environments_main.c all_around.c pyramid.c)
+PICTURE_SRC := $(filter-out $(LIGHTS_SRC) $(AROUND_SRC),$(wildcard cases/picture/*.c))
 PICTURE_OBJ := $(PICTURE_SRC:%.c=$(B)/%.o)
 PICTURE_OF  := $(if $(ENVIRONMENTS),cases/picture/diffuse.png,$(B)/diffuse.png)
 

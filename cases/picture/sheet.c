@@ -2,6 +2,7 @@
  * ten times the exposed difference of the luminances, orange where the tier is too bright and blue where it is too
  * dark, without a curve: twice the difference is twice the number in the file. */
 #include "sheet.h"
+#include "tone.h"
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -19,9 +20,6 @@ enum {
     FOOT = 104,
     SCENES_APART = 18
 };
-
-static const unsigned char background[3] = {20, 20, 22}, white[3] = {236, 236, 236}, grey[3] = {150, 150, 154};
-static const unsigned char orange[3] = {255, 150, 40}, blue[3] = {80, 160, 255};
 
 static const char *const foot[] = {
     "truth: a sum over every direction of the map, no SH. exact: what it misses, nine coefficients cannot hold.",
@@ -79,39 +77,32 @@ int lobe_sheet_of(int diameter, int scenes, lobe_canvas *sheet)
 {
     const int width = first_difference(diameter) + (LOBE_PICTURE_COLUMNS - 1) * pitch(diameter) + MARGIN;
     const int top = MARGIN + TITLE, below = top + HEADINGS + scenes * block(diameter);
-    if (!lobe_canvas_allocate(sheet, width, below + FOOT, background))
+    if (!lobe_canvas_allocate(sheet, width, below + FOOT, lobe_tone_background))
         return 0;
     lobe_canvas_text(sheet, MARGIN, MARGIN, 2,
                      "Disney (Burley) diffuse, white, under environment light from nine SH coefficients a channel",
-                     white);
+                     lobe_tone_white);
     for (int side = 0; side < 2; side++)
         for (int c = side; c < LOBE_PICTURE_COLUMNS; c++) {
             const int left =
                 side ? first_difference(diameter) + (c - 1) * pitch(diameter) : first_sphere() + c * pitch(diameter);
-            centred(sheet, left + diameter / 2, top + 28, diameter < 84 ? 1 : 2, lobe_picture_column[c], white);
+            centred(sheet, left + diameter / 2, top + 28, diameter < 84 ? 1 : 2, lobe_picture_column[c],
+                    lobe_tone_white);
         }
-    lobe_canvas_text(sheet, first_sphere(), top, 2, "rendered", grey);
-    lobe_canvas_text(sheet, first_difference(diameter), top, 2, "minus truth, x 10:", grey);
+    lobe_canvas_text(sheet, first_sphere(), top, 2, "rendered", lobe_tone_grey);
+    lobe_canvas_text(sheet, first_difference(diameter), top, 2, "minus truth, x 10:", lobe_tone_grey);
     const int after = first_difference(diameter) + lobe_text_width("minus truth, x 10: ", 2);
-    lobe_canvas_text(sheet, after, top, 2, "bright", orange);
-    lobe_canvas_text(sheet, after + lobe_text_width("bright ", 2) + 2, top, 2, "dark", blue);
+    lobe_canvas_text(sheet, after, top, 2, "bright", lobe_tone_orange);
+    lobe_canvas_text(sheet, after + lobe_text_width("bright ", 2) + 2, top, 2, "dark", lobe_tone_blue);
     for (int i = 0; i < FOOT_LINES; i++)
-        lobe_canvas_text(sheet, MARGIN, below + 4 + 20 * i, 2, foot[i], grey);
+        lobe_canvas_text(sheet, MARGIN, below + 4 + 20 * i, 2, foot[i], lobe_tone_grey);
     return 1;
-}
-
-static unsigned char srgb(double x)
-{
-    const double c = fmin(1, fmax(0, x)), v = c < 0.0031308 ? 12.92 * c : 1.055 * pow(c, 1 / 2.4) - 0.055;
-    return (unsigned char)(255 * v + 0.5);
 }
 
 static const double *value(const lobe_shaded *s, int point, int r, int c)
 {
     return s->rgb + LOBE_PICTURE_VALUES * (size_t)point + 3 * (size_t)(r * LOBE_PICTURE_COLUMNS + c);
 }
-
-static double luminance(const double *rgb) { return 0.2126 * rgb[0] + 0.7152 * rgb[1] + 0.0722 * rgb[2]; }
 
 static double exposure_of(const lobe_shaded *s)
 {
@@ -129,15 +120,15 @@ static void put(lobe_canvas *sheet, int left, int top, const lobe_shaded *s, int
     const double share = fmin(1, fmax(0, radius - r + 0.5));
     unsigned char out[3];
     for (int k = 0; k < 3; k++)
-        out[k] = (unsigned char)(share * rgb[k] + (1 - share) * background[k] + 0.5);
+        out[k] = (unsigned char)(share * rgb[k] + (1 - share) * lobe_tone_background[k] + 0.5);
     lobe_canvas_pixel(sheet, left + s->pixel[2 * i], top + s->pixel[2 * i + 1], out);
 }
 
 static void draw_sphere(lobe_canvas *sheet, int left, int top, const lobe_shaded *s, int r, int c, double exposure)
 {
     for (int i = 0; i < s->count; i++) {
-        const double *v = value(s, i, r, c);
-        const unsigned char rgb[3] = {srgb(v[0] * exposure), srgb(v[1] * exposure), srgb(v[2] * exposure)};
+        unsigned char rgb[3];
+        lobe_tone_colour(value(s, i, r, c), exposure, rgb);
         put(sheet, left, top, s, i, rgb);
     }
 }
@@ -148,17 +139,17 @@ static void draw_difference(lobe_canvas *sheet, int left, int top, const lobe_sh
     char text[16];
     for (int i = 0; i < s->count; i++) {
         const double *truth = value(s, i, r, 0), *v = value(s, i, r, c);
-        const double d = 10 * exposure * (luminance(v) - luminance(truth));
+        const double d = 10 * exposure * (lobe_tone_luminance(v) - lobe_tone_luminance(truth));
         unsigned char rgb[3];
         for (int k = 0; k < 3; k++) {
-            rgb[k] = (unsigned char)(fmin(1, fabs(d)) * (d > 0 ? orange[k] : blue[k]) + 0.5);
             error += (v[k] - truth[k]) * (v[k] - truth[k]);
             square += truth[k] * truth[k];
         }
+        lobe_tone_difference(d, rgb);
         put(sheet, left, top, s, i, rgb);
     }
     snprintf(text, sizeof text, "%.2f %%", square > 0 ? 100 * sqrt(error / square) : 0);
-    centred(sheet, left + s->diameter / 2, top + s->diameter + 4, 2, text, grey);
+    centred(sheet, left + s->diameter / 2, top + s->diameter + 4, 2, text, lobe_tone_grey);
 }
 
 /* The map with the spheres' exposure, by nearest texel: it only says where the light is. */
@@ -168,8 +159,9 @@ static void draw_map(lobe_canvas *sheet, int left, int top, int width, const lob
         for (int i = 0; i < width; i++) {
             const int row = (2 * j + 1) * map->height / width, column = (2 * i + 1) * map->width / (2 * width);
             const float *t = map->rgb + 3 * ((size_t)row * (size_t)map->width + (size_t)column);
-            const unsigned char rgb[3] = {srgb((double)t[0] * exposure), srgb((double)t[1] * exposure),
-                                          srgb((double)t[2] * exposure)};
+            const double light[3] = {(double)t[0], (double)t[1], (double)t[2]};
+            unsigned char rgb[3];
+            lobe_tone_colour(light, exposure, rgb);
             lobe_canvas_pixel(sheet, left + i, top + j, rgb);
         }
 }
@@ -178,17 +170,19 @@ void lobe_sheet_draw(lobe_canvas *sheet, int index, const lobe_scene *scene, con
 {
     const double exposure = exposure_of(s);
     const int top = MARGIN + TITLE + HEADINGS + index * block(s->diameter);
-    lobe_canvas_text(sheet, MARGIN, top, 2, scene->name, white);
+    lobe_canvas_text(sheet, MARGIN, top, 2, scene->name, lobe_tone_white);
     if (scene->own)
         draw_map(sheet, MARGIN, top + 22, PANEL - 48, &scene->small, exposure);
-    lobe_canvas_text(sheet, MARGIN, top + 12 + PANEL / 2, 2, scene->have_sun ? "sun: punctual" : "no sun", grey);
-    lobe_canvas_text(sheet, MARGIN, top + 32 + PANEL / 2, 2, scene->have_sun ? "rest: nine SH" : "all: nine SH", grey);
+    lobe_canvas_text(sheet, MARGIN, top + 12 + PANEL / 2, 2, scene->have_sun ? "sun: punctual" : "no sun",
+                     lobe_tone_grey);
+    lobe_canvas_text(sheet, MARGIN, top + 32 + PANEL / 2, 2, scene->have_sun ? "rest: nine SH" : "all: nine SH",
+                     lobe_tone_grey);
     for (int r = 0; r < LOBE_PICTURE_ROUGHNESSES; r++) {
         const int y = top + r * (s->diameter + CAPTION);
         char text[16];
         snprintf(text, sizeof text, "%g", lobe_picture_roughness[r]);
-        lobe_canvas_text(sheet, MARGIN + PANEL, y + s->diameter / 2 - 18, 2, "roughness", grey);
-        lobe_canvas_text(sheet, MARGIN + PANEL, y + s->diameter / 2 + 2, 2, text, white);
+        lobe_canvas_text(sheet, MARGIN + PANEL, y + s->diameter / 2 - 18, 2, "roughness", lobe_tone_grey);
+        lobe_canvas_text(sheet, MARGIN + PANEL, y + s->diameter / 2 + 2, 2, text, lobe_tone_white);
         for (int c = 0; c < LOBE_PICTURE_COLUMNS; c++)
             draw_sphere(sheet, first_sphere() + c * pitch(s->diameter), y, s, r, c, exposure);
         for (int c = 1; c < LOBE_PICTURE_COLUMNS; c++)

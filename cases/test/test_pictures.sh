@@ -1,7 +1,7 @@
 #!/bin/sh
 # The pictures' program: the same bytes for any number of threads, a file that appears whole or not at all.
 : "${B:=build}"
-${MAKE:-make} -s "$B/pictures" "$B/lights_picture" || exit 1
+${MAKE:-make} -s "$B/pictures" "$B/lights_picture" "$B/environments_picture" || exit 1
 work=$(mktemp -d) || exit 1
 trap 'rm -rf "$work"' EXIT
 n=0 failed=0
@@ -43,5 +43,17 @@ result $? "the lights' bytes do not depend on the threads"
 "$B/lights_picture" --size 7 "$work/bad.png" 2>"$work/err"
 [ $? -eq 2 ] && grep -q -- "--size 8 to 1024" "$work/err" && [ ! -e "$work/bad.png" ]
 result $? "lights too small are refused"
+for threads in 1 3; do
+    "$B/environments_picture" --size 24 --cube 16 --threads $threads lamps "$work/around$threads.png" >"$work/out" 2>&1
+    result $? "a small room with $threads threads"
+done
+cmp "$work/around1.png" "$work/around3.png"
+result $? "the room's bytes do not depend on the threads"
+"$B/environments_picture" --cube 24 sky "$work/bad.png" 2>"$work/err"
+[ $? -eq 2 ] && grep -q -- "--cube a power of 2" "$work/err" && [ ! -e "$work/bad.png" ]
+result $? "a cube that cannot be halved is refused"
+"$B/environments_picture" --size 24 --cube 16 "$work/text.hdr" "$work/bad.png" 2>"$work/err"
+[ $? -eq 2 ] && grep -q "text.hdr: byte 0: found" "$work/err" && [ ! -e "$work/bad.png" ]
+result $? "a bad map of a room is refused"
 echo "1..$n"
 [ $failed -eq 0 ]

@@ -78,3 +78,5 @@ $(CHART)/sphere_light.csv: $(B)/chart/sphere_light.errors cases/sphere_light/fro
 $(CHART)/sphere_light.svg: $(CHART)/sphere_light.csv $(CHART)/sphere.gp
 	gnuplot -e 'in="$<"; out="$@.new.svg"' $(CHART)/sphere.gp
 	mv $@.new.svg $@
+
+-include harness/chart/env.mk

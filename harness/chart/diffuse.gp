@@ -31,6 +31,9 @@ do for [panel=1:4] {
     zonal = rows("tier", 1, cost, error)
     star = rows("star", 1, cost, error)
     lambert = rows("star", 0, cost, error)
+    # a name that would stand on another goes to the left
+    side = front." | grep low"
+    front_names = front." | grep -v low"
     if (panel < 4) {
         plot lambert using 1:2 with points pt 3 ps 1.6 lw 2 lc rgb "#c02020" title "Lambert, and the printed zonal fit", \
              lambert using 1:2:3 with labels left offset 0.8,0.4 font ",9" tc rgb "#c02020" notitle, \
@@ -39,7 +42,8 @@ do for [panel=1:4] {
              zonal using 1:2 with points pt 5 ps 1.1 lc rgb "#707070" title "Lobe, one zonal lobe", \
              zonal using 1:2:3 with labels right offset -0.9,-0.4 font ",9" tc rgb "#505050" notitle, \
              front using 1:2 with linespoints pt 7 ps 1.4 lw 2 lc rgb "#1060b0" title "Lobe, float", \
-             front using 1:2:3 with labels left offset 0.9,0.4 font ",10" tc rgb "#1060b0" notitle
+             side using 1:2:3 with labels right offset -0.9,-0.4 font ",10" tc rgb "#1060b0" notitle, \
+             front_names using 1:2:3 with labels left offset 0.9,0.4 font ",10" tc rgb "#1060b0" notitle
     } else {
         plot star using 1:2 with points pt 3 ps 1.6 lw 2 lc rgb "#c02020" title "printed zonal fit", \
              star using 1:2:3 with labels left offset 0.8,0.6 font ",9" tc rgb "#c02020" notitle, \
