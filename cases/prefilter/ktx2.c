@@ -31,7 +31,7 @@ static uint32_t write_pairs(FILE *out, const lobe_prefilter_scale *scale)
 {
     char text[3][2][96] = {{"KTXorientation", "rd"}, {"KTXwriter", "Lobe lobefit prefilter"}, {"LobePrefilter", ""}};
     uint32_t size = 0;
-    snprintf(text[2][1], sizeof text[2][1], "kernel %s, lod = %d r (a + (1 - a) r), a = %.9g",
+    snprintf(text[2][1], sizeof text[2][1], "kernel %s, lod = min(t, t^3), t = %d r (a + (1 - a) r), a = %.9g",
              scale->kernel == LOBE_PREFILTER_SG ? "sg" : "ggx", scale->mips - 1, scale->curve);
     for (int i = 0; i < 3; i++) {
         const uint32_t name = (uint32_t)strlen(text[i][0]) + 1, value = (uint32_t)strlen(text[i][1]) + 1;

@@ -166,11 +166,8 @@ lobe_prefilter_status lobe_prefilter(const lobe_prefilter_image *image, const lo
     status = run_mips(&source, o, 0, 1, cube, error, error_size);
     if (status == LOBE_PREFILTER_DONE && mips > 1)
         status = run_mips(&source, o, 1, mips, cube, error, error_size);
-    for (int m = 1; status == LOBE_PREFILTER_DONE && o->fit && m < mips; m++)
-        if (lobe_interrupt_requested())
-            status = LOBE_PREFILTER_INTERRUPTED;
-        else if (lobe_cube_side(o->size, m) <= LOBE_PREFILTER_FIT_SIDE && !lobe_prefilter_fit(&source, o, m, cube))
-            status = LOBE_PREFILTER_NO_MEMORY;
+    if (status == LOBE_PREFILTER_DONE && o->fit && !lobe_prefilter_fit(&source, o, cube))
+        status = lobe_interrupt_requested() ? LOBE_PREFILTER_INTERRUPTED : LOBE_PREFILTER_NO_MEMORY;
     lobe_prefilter_source_free(&source);
     if (status != LOBE_PREFILTER_DONE)
         lobe_cube_free(cube);

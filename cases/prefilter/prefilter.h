@@ -12,7 +12,7 @@ typedef struct lobe_prefilter_options {
     double detail; /* LOBE_PREFILTER_DETAIL; smaller is finer and slower */
     int threads;   /* 1 .. LOBE_PREFILTER_THREADS; the bytes do not depend on it */
     int opencl;    /* the sums through OpenCL, with the same text */
-    int fit;       /* mips of a side of at most LOBE_PREFILTER_FIT_SIDE through lobe_prefilter_fit */
+    int fit;       /* through lobe_prefilter_fit */
     int progress;  /* a line with rate and estimate on stderr, once it takes more than a second */
 } lobe_prefilter_options;
 
@@ -32,10 +32,10 @@ lobe_prefilter_options lobe_prefilter_options_default(lobe_prefilter_kernel kern
 lobe_prefilter_status lobe_prefilter(const lobe_prefilter_image *image, const lobe_prefilter_options *options,
                                      lobe_cube *cube, char *error, size_t error_size);
 
-/* Changes the texels of a filtered mip so that bilinear lookups come closest to the kernel, in the mean square over the
- * sphere; the texels themselves then are not the kernel at their centres. 0 where there is no memory. */
-int lobe_prefilter_fit(const lobe_prefilter_source *source, const lobe_prefilter_options *options, int mip,
-                       lobe_cube *cube);
+/* Changes the texels of the mips of a side of at most LOBE_PREFILTER_FIT_SIDE so that trilinear lookups at all widths
+ * that reach them come closest to the kernel, in the mean square over the sphere; the texels themselves then are not
+ * the kernel at their centres. 0 where there is no memory, or an interrupt was requested. */
+int lobe_prefilter_fit(const lobe_prefilter_source *source, const lobe_prefilter_options *options, lobe_cube *cube);
 
 /* Directions (n x 3) filtered with one kernel, as within a mip: for tests, and widths that no mip has. */
 int lobe_prefilter_directions(const lobe_prefilter_source *source, lobe_prefilter_kernel kernel, double width,

@@ -2,6 +2,7 @@
  * appears whole or not at all. */
 #include "prefilter_command.h"
 #include "cube_file.h"
+#include "faces.h"
 #include "half.h"
 #include "prefilter.h"
 #include "../fit/atomic_file.h"
@@ -127,7 +128,8 @@ static int parse_options(int argc, char **argv, options *o)
         }
     }
     if (!o->file)
-        return refuse("which file? FILE.hdr (RGBE) or FILE.pfm, equirectangular, or a cube as FILE.dds or FILE.ktx2");
+        return refuse("which file? FILE.hdr (RGBE) or FILE.pfm, equirectangular or six faces, or a cube as FILE.dds or "
+                      "FILE.ktx2");
     if (!o->out)
         return refuse("where to? --out FILE");
     if (o->mips > lobe_cube_full_chain(o->size))
@@ -138,7 +140,23 @@ static int parse_options(int argc, char **argv, options *o)
     return 0;
 }
 
-/* A map or a cube, whichever the first bytes say. 0 after a message. */
+/* A picture of six faces becomes the cube, and the map goes. */
+static int unfold(const char *path, lobe_environment *map, lobe_cube *cube, lobe_prefilter_image *image)
+{
+    lobe_environment_fault fault = {0, ""};
+    if (lobe_faces_of(map->width, map->height) == LOBE_FACES_NONE) {
+        image->map = map;
+        return 1;
+    }
+    image->cube = cube;
+    const int good = lobe_faces_take(map, cube, &fault);
+    lobe_environment_free(map);
+    if (!good)
+        fprintf(stderr, "%s: %s\n", path, fault.reason);
+    return good;
+}
+
+/* A map or a cube, whichever the first bytes and the sides say. 0 after a message. */
 static int load(const char *path, lobe_environment *map, lobe_cube *cube, lobe_prefilter_image *image)
 {
     size_t size;
@@ -153,12 +171,13 @@ static int load(const char *path, lobe_environment *map, lobe_cube *cube, lobe_p
         image->cube = cube;
     } else {
         good = lobe_environment_parse(bytes, size, map, &fault);
-        image->map = map;
     }
     free(bytes);
-    if (!good)
+    if (!good) {
         fprintf(stderr, "%s: byte %zu: %s\n", path, fault.offset, fault.reason);
-    return good;
+        return 0;
+    }
+    return image->cube || unfold(path, map, cube, image);
 }
 
 static int write_cube(const options *o, const lobe_cube *cube, const lobe_prefilter_scale *scale)
@@ -193,7 +212,7 @@ static int print_scale(const options *o, const lobe_prefilter_image *image, cons
     printf("# kernel: %s\n", o->kernel == LOBE_PREFILTER_GGX
                                  ? "ggx, max(0, c)/(1 + k(1 - c))^2, k = (1/alpha^2 - 1)/2, alpha = roughness^2"
                                  : "sg, exp(sharpness (c - 1))");
-    printf("# scale: lod = %d r (a + (1 - a) r), r = %s, a = %.9g\n", last,
+    printf("# scale: lod = min(t, t^3), t = %d r (a + (1 - a) r), r = %s, a = %.9g\n", last,
            o->kernel == LOBE_PREFILTER_GGX ? "roughness" : "sharpness^(-1/4)", scale->curve);
     if (image->map)
         printf("# world: %s up\n", o->y_up ? "y" : "z");

@@ -16,14 +16,15 @@ double lobe_prefilter_lod(const lobe_prefilter_scale *scale, double width)
     if (scale->kernel == LOBE_PREFILTER_SG)
         r = width > 1 ? sqrt(sqrt(1 / width)) : 1;
     r = r < 0 ? 0 : r <= 1 ? r : 1;
-    return (scale->mips - 1) * r * (a + (1 - a) * r);
+    const double t = (scale->mips - 1) * r * (a + (1 - a) * r);
+    return t < 1 ? t * t * t : t;
 }
 
 double lobe_prefilter_width(const lobe_prefilter_scale *scale, double lod)
 {
     const double a = scale->curve, last = scale->mips - 1;
-    const double t = lod > 0 && last > 0 ? fmin(lod / last, 1) : 0, b = a * a + 4 * (1 - a) * t;
-    const double r = 2 * t / (a + sqrt(b > 0 ? b : 0));
+    const double t = lod > 0 ? (lod < 1 ? cbrt(lod) : lod) : 0, x = last > 0 ? fmin(t / last, 1) : 0;
+    const double b = a * a + 4 * (1 - a) * x, r = 2 * x / (a + sqrt(b > 0 ? b : 0));
     return scale->kernel == LOBE_PREFILTER_SG ? 1 / (r * r * r * r) : r;
 }
 

@@ -1,13 +1,16 @@
 /* The kernels a cube map is filtered with, and which mip holds which width.
  *
- *   ggx  max(0, c) / (1 + k (1 - c))^2, k = (1/alpha^2 - 1)/2: GGX about the normal seen from the mirror direction,
- * what engines call the split sum's prefilter. Its width is the perceptual roughness r = sqrt(alpha). sg   exp(lambda
- * (c - 1)). Its width is the sharpness lambda; r = lambda^(-1/4) has the ggx kernel's curvature at the peak, 1 + 2k =
- * 1/r^4 = lambda, so that both share one scale.
+ * ggx: max(0, c) / (1 + k (1 - c))^2, k = (1/alpha^2 - 1)/2: GGX about the normal seen from the mirror direction, what
+ * engines call the split sum's prefilter. Its width is the perceptual roughness r = sqrt(alpha).
  *
- * Both are normalised to 1 over the sphere. Mip m of M + 1 holds the r with
- *     lod = M r (a + (1 - a) r),    r = 2 t / (a + sqrt(a^2 + 4 (1 - a) t)),  t = lod / M,
- * and the same pair of formulas goes between widths and fractional mips. a = 1 is the linear scale. */
+ * sg: exp(lambda (c - 1)). Its width is the sharpness lambda; r = lambda^(-1/4) has the ggx kernel's curvature at the
+ * peak, 1 + 2k = 1/r^4 = lambda, so that both share one scale.
+ *
+ * Both are normalised to 1 over the sphere. Mip m of M + 1 holds the r with m = t = M r (a + (1 - a) r), and between
+ * two mips
+ *     lod = min(t, t^3),    r = 2 x / (a + sqrt(a^2 + 4 (1 - a) x)),  x = max(lod, lod^(1/3)) / M.
+ * The cube is for mip 0, the mirror, which the cube's own texels make as wide as a kernel some way towards mip 1: a
+ * kernel between the two has less of mip 1 than in proportion. */
 #ifndef LOBE_PREFILTER_WIDTH_H
 #define LOBE_PREFILTER_WIDTH_H
 
@@ -21,9 +24,11 @@ typedef struct lobe_prefilter_scale {
 
 #define LOBE_PREFILTER_CURVE_MIN 1.0
 #define LOBE_PREFILTER_CURVE_MAX 2.0
-/* Least trilinear error over all widths for 7 mips of a 256 cube; README.md has the measurement. */
+/* Little trilinear error over all widths for 7 mips of a 256 cube, in rooms and under suns; README.md has the
+ * measurement.
+ */
 #define LOBE_PREFILTER_CURVE_GGX 1.8
-#define LOBE_PREFILTER_CURVE_SG 1.7
+#define LOBE_PREFILTER_CURVE_SG 1.9
 
 lobe_prefilter_scale lobe_prefilter_scale_default(lobe_prefilter_kernel kernel, int mips);
 /* Roughness or sharpness to a mip in [0, M]; NaN and widths beyond the last mip's count as the last mip's. */

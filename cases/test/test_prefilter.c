@@ -65,6 +65,10 @@ static void scale_both_ways(void **state)
             const lobe_prefilter_scale scale = {(lobe_prefilter_kernel)kernel, 7, a};
             for (double lod = 0.01; lod <= 6; lod += 0.01)
                 assert_true(fabs(lobe_prefilter_lod(&scale, lobe_prefilter_width(&scale, lod)) - lod) < 1e-6);
+            for (double r = 0.01; r <= 1; r += 0.01) {
+                const double width = kernel ? 1 / (r * r * r * r) : r;
+                assert_true(fabs(lobe_prefilter_width(&scale, lobe_prefilter_lod(&scale, width)) / width - 1) < 1e-6);
+            }
             assert_true(lobe_prefilter_lod(&scale, kernel ? INFINITY : 0) == 0);
             assert_true(lobe_prefilter_width(&scale, 0) == (kernel ? INFINITY : 0));
             assert_true(fabs(lobe_prefilter_width(&scale, 6) - 1) < 1e-12);
@@ -74,6 +78,8 @@ static void scale_both_ways(void **state)
         }
     const lobe_prefilter_scale linear = {LOBE_PREFILTER_GGX, 7, 1}, one = {LOBE_PREFILTER_GGX, 1, 1.5};
     assert_true(fabs(lobe_prefilter_width(&linear, 3) - 0.5) < 1e-15);
+    assert_true(fabs(lobe_prefilter_lod(&linear, 1 / 12.0) - 0.125) < 1e-15); /* half of mip 1's width: an eighth */
+    assert_true(fabs(lobe_prefilter_lod(&linear, 0.1666) - 1) < 2e-3);
     assert_true(lobe_prefilter_lod(&one, 1) == 0 && lobe_prefilter_width(&one, 0) == 0);
 }
 

@@ -57,6 +57,26 @@ refused "no map at all" "text.hdr: byte 0: found bytes 0x74 0x65, expected" "$wo
 head -c 70 "$work/map.hdr" >"$work/cut.hdr"
 refused "a map cut short" "cut.hdr: byte 70: found the end of the file in row 0, expected 4 rows" "$work/cut.hdr" $to
 
+head -c 30 "$work/map.hdr" >"$work/headless.hdr"
+refused "a map cut in its head" "headless.hdr: byte 30: found the end of the file" "$work/headless.hdr" $to
+: >"$work/empty.hdr"
+refused "an empty file" "empty.hdr: byte 0: found a file of 0 bytes, expected" "$work/empty.hdr" $to
+refused "a folder as the map" "cannot be read: Is a directory" "$work" $to
+printf 'PF\n0 1\n-1\n' >"$work/none.pfm"
+refused "a map without texels" "none.pfm: byte 3: found width '0', expected a whole number" "$work/none.pfm" $to
+printf 'PF\n3 2\n-1\n' >"$work/sides.pfm"
+head -c 72 /dev/zero >>"$work/sides.pfm"
+refused "sides of no layout" "sides.pfm: found 3 x 2 texels, expected sides as 2 : 1 .* 6 : 1, 1 : 6, 4 : 3 or 3 : 4" \
+    "$work/sides.pfm" $to
+refused "a file as the folder" "map.hdr/x.dds: cannot open for writing" "$work/map.hdr" --out "$work/map.hdr/x.dds" --size 4
+mkdir "$work/folder.dds"
+refused "a folder as the target" "folder.dds: cannot write: Is a directory" "$work/map.hdr" --out "$work/folder.dds" --size 4
+if [ "$(id -u)" -ne 0 ]; then
+    chmod 555 "$work/folder.dds"
+    refused "a folder that may not be written" "x.dds: cannot open for writing: Permission denied" "$work/map.hdr" \
+        --out "$work/folder.dds/x.dds" --size 4
+fi
+
 bytes() { wc -c <"$1" | tr -d ' '; }
 for kernel in ggx sg; do
     "$lobefit" prefilter "$work/map.hdr" --kernel $kernel --size 16 --out "$work/$kernel.dds" --threads 1 >"$work/out" &&
@@ -79,6 +99,20 @@ result $? "raw floats without a head"
     "$lobefit" prefilter "$work/map.ktx2" --size 16 --mips 1 --out "$work/b.raw" >"$work/out" &&
     cmp -s "$work/a.raw" "$work/b.raw"
 result $? "a cube read from DDS is the cube read from KTX2"
+# The six faces one under another, from the raw floats of the same cube: PFM has its rows from the bottom.
+"$lobefit" prefilter "$work/ggx.dds" --size 8 --mips 1 --out "$work/small.dds" >"$work/out"
+"$lobefit" prefilter "$work/small.dds" --size 8 --mips 1 --out "$work/small.raw" >"$work/out"
+printf 'PF\n8 48\n-1\n' >"$work/faces.pfm"
+row=47
+while [ $row -ge 0 ]; do
+    dd if="$work/small.raw" bs=96 skip=$row count=1 2>/dev/null
+    row=$((row - 1))
+done >>"$work/faces.pfm"
+"$lobefit" prefilter "$work/small.dds" --size 16 --out "$work/a.dds" >"$work/out" &&
+    "$lobefit" prefilter "$work/faces.pfm" --size 16 --out "$work/b.dds" >"$work/out" &&
+    cmp -s "$work/a.dds" "$work/b.dds" && grep -q '^# source: faces.pfm, 8 x 8 texels, six faces' "$work/out"
+result $? "six faces in one picture give the bytes of their cube"
+refused "turned faces" "--up is for equirectangular maps; .*faces.pfm is a cube" "$work/faces.pfm" $to --up y
 refused "a turned cube" "--up is for equirectangular maps" "$work/ggx.dds" $to --up y
 head -c 1000 "$work/ggx.dds" >"$work/cut.dds"
 refused "a cube cut short" "cut.dds: byte 1000: found 852 bytes of texels, expected 16128" "$work/cut.dds" $to
