@@ -12,11 +12,14 @@
 #include "energy/weight_vectors.h"
 #include "env_lobes_sg/fit.h"
 #include "env_lobes_sg/front.h"
+#include "env_lobes/bounds.h"
 #include "env_lobes/fit.h"
 #include "env_lobes/front.h"
 #include "env_lobes/truth_env_lobes.h"
 #include "sg_light/bounds.h"
+#include "sg_light/diffuse_case.h"
 #include "sg_light/fit.h"
+#include "sg_light/fit_diffuse.h"
 #include "sg_light/front.h"
 #include "sg_light/tiers.h"
 #include "sg_light/truth_sg.h"
@@ -37,6 +40,15 @@
 #define ROUGHNESS_N_DOT_V                                                                                              \
     {                                                                                                                  \
         {"roughness", 0.001, 1.0}, { "n_dot_v", 0.001, 1.0 }                                                           \
+    }
+
+#define SPHERE_IN_VIEW                                                                                                 \
+    {                                                                                                                  \
+        {"roughness", 0.05, 1.0}, {"n_dot_v", 0.001, 1.0}, {"n_dot_l", -1.0, 1.0},                                     \
+            {"azimuth", 0.0, 3.141592653589793},                                                                       \
+        {                                                                                                              \
+            "sigma", 0.0001, 1.570796326794896                                                                         \
+        }                                                                                                              \
     }
 
 static const lobe_case cases[] = {
@@ -96,11 +108,7 @@ static const lobe_case cases[] = {
      .accuracy = "5e-7 relative",
      .input_count = 5,
      .output_count = 1,
-     .inputs = {{"roughness", 0.05, 1.0},
-                {"n_dot_v", 0.001, 1.0},
-                {"n_dot_l", -1.0, 1.0},
-                {"azimuth", 0.0, 3.141592653589793},
-                {"sigma", 0.0001, 1.570796326794896}},
+     .inputs = SPHERE_IN_VIEW,
      .outputs = {"radiance"},
      .truth = lobe_truth_sphere_rows,
      .truth_opencl = lobe_truth_sphere_opencl,
@@ -115,11 +123,7 @@ static const lobe_case cases[] = {
      .accuracy = "1e-6 relative",
      .input_count = 5,
      .output_count = 1,
-     .inputs = {{"roughness", 0.05, 1.0},
-                {"n_dot_v", 0.001, 1.0},
-                {"n_dot_l", -1.0, 1.0},
-                {"azimuth", 0.0, 3.141592653589793},
-                {"sigma", 0.0001, 1.570796326794896}},
+     .inputs = SPHERE_IN_VIEW,
      .outputs = {"schlick"},
      .truth = lobe_truth_sphere_schlick_rows,
      .refuse = lobe_truth_sphere_schlick_refusal,
@@ -160,7 +164,8 @@ static const lobe_case cases[] = {
      .bounds = lobe_capsule_bounds,
      .search = lobe_capsule_front_search},
     {.name = "env_lobes",
-     .integral = "response = D G2 / (4 n.v), and times (1 - v.h)^5; lobes stand for its integral against an environment",
+     .integral =
+         "response = D G2 / (4 n.v), and times (1 - v.h)^5; lobes stand for its integral against an environment",
      .brdf = "GGX, height-correlated Smith, alpha = roughness^2",
      .accuracy = "1e-13 relative",
      .input_count = 4,
@@ -173,6 +178,7 @@ static const lobe_case cases[] = {
      .truth = lobe_truth_env_lobes_rows,
      .vectors = &lobe_env_lobes_vectors,
      .fit = lobe_env_lobes_fit,
+     .bounds = lobe_env_bounds,
      .search = lobe_env_lobes_search},
     {.name = "sg_light",
      .integral = "Lo = int exp(sharpness (l.axis - 1)) D V n.l dl over the upper hemisphere",
@@ -191,6 +197,18 @@ static const lobe_case cases[] = {
      .fit = lobe_sg_fit,
      .bounds = lobe_sg_bounds,
      .search = lobe_sg_front_search},
+    {.name = "sg_diffuse",
+     .integral = "E / pi = int exp((l.axis - 1) / versine) n.l / pi dl over the upper hemisphere",
+     .brdf = "Lambert, base colour 1",
+     .accuracy = "1e-9 of the light overhead",
+     .input_count = 2,
+     .output_count = 1,
+     .inputs = {{"n_dot_l", -1.0, 1.0}, {"versine", LOBE_SG_DIFFUSE_VERSINE_LO, LOBE_SG_DIFFUSE_VERSINE_HI}},
+     .outputs = {"irradiance"},
+     .truth = lobe_truth_sg_diffuse_rows,
+     .vectors = &lobe_sg_diffuse_vectors,
+     .fit = lobe_sg_diffuse_fit,
+     .bounds = lobe_sg_diffuse_bounds},
     {.name = "env_lobes_sg",
      .integral = "albedo = int D V n.l dl, what the lobes' weights sum to; the lobes are fitted to D V n.l itself",
      .brdf = "GGX, height-correlated Smith, alpha = roughness^2, F = 1",
@@ -203,6 +221,7 @@ static const lobe_case cases[] = {
      .truth_opencl = lobe_truth_energy_opencl,
      .vectors = &lobe_env_lobes_sg_vectors,
      .fit = lobe_env_sg_fit,
+     .bounds = lobe_env_bounds,
      .search = lobe_env_sg_search},
     {.name = "split_sum_kibl",
      .integral = "scale, bias = int D V {1 - F, F} n.l dl, F = (1 - v.h)^5",

@@ -1,6 +1,6 @@
 # Fits, what they write, and the measurement of what ships.
 RULES_SRC := $(wildcard cases/energy/fit*.c cases/split_sum/table_*.c cases/split_sum/fit*.c cases/split_sum/form*.c cases/split_sum/front.c \
-    cases/split_sum/shipped.c $(addprefix cases/diffuse_sh/,bounds.c constants.c fit.c)) $(addprefix cases/fit/,coefficients.c fit_command.c bounds.c fit_grid.c judge_points.c truth_cache.c)
+    cases/split_sum/shipped.c $(addprefix cases/diffuse_sh/,bounds.c constants.c fit.c)) $(addprefix cases/fit/,bound_header.c bounds.c coefficients.c fit_command.c fit_grid.c judge_points.c measure.c truth_cache.c)
 FIT_OBJ += $(RULES_SRC:%.c=$(B)/%.o)
 
 # Stand-ins for generated headers, for a new tier or another count of coefficients: see cases/fit/blank_main.c.
@@ -14,8 +14,9 @@ $(B)/blank: $(addprefix $(B)/cases/fit/,blank_main.o coefficients.o atomic_file.
 # the case's list of fits; models/f32/MODEL_TIER.c. Then lobefit fit and make emit-q30, and when both are there a line
 # in cases/split_sum/tier_rows.h and in harness/registry_rows.h, build/blank bounds, and make fit. A tier of a sphere
 # light has its line of fits in cases/sphere_light/fit_tiers.c and fit.c, its integers by hand, its row in
-# cases/sphere_light/tier_rows.h.
-FIT_MODELS := split_sum split_sum_sep energy diffuse_sh sphere_light capsule_light sg_light sphere_diffuse
+# cases/sphere_light/tier_rows.h; one of environment lobes its row in cases/env_lobes/tier_rows.h.
+FIT_MODELS := split_sum split_sum_sep energy diffuse_sh sphere_light capsule_light sg_light sg_diffuse sphere_diffuse \
+    env_lobes env_lobes_sg
 # What is fitted with another, and measured by itself.
 MEASURED_MODELS := $(FIT_MODELS) sphere_light_schlick
 LOBEFIT_AGAIN = $(MAKE) --no-print-directory $(B)/lobefit

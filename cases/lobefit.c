@@ -34,7 +34,7 @@ static const char usage[] =
     "      --sun-share S         only where it carries this share of the mean irradiance, in [0, 4], 0.5 if left out\n"
     "      --window positive     the least smoothing that leaves no negative irradiance; or hanning, or none\n"
     "      --up y                for a world with y up, middle of the map along -z; z up, along +x if left out\n"
-    "  prefilter FILE --out CUBE  a map (RGBE, PFM) or cube (DDS, KTX2 of half floats) as a filtered cube map\n"
+    "  prefilter FILE --out CUBE  a map or six faces (RGBE, PFM) or a cube (DDS, KTX2 of half floats), filtered\n"
     "      --kernel ggx|sg       the split sum's prefilter, or spherical Gaussians; ggx if left out\n"
     "      --size N --mips M     of the cube; 256 and a last mip of side 4 if left out\n"
     "      --format dds|ktx2|raw half floats, or floats without a head; by the file's name, else dds\n"

@@ -1,5 +1,5 @@
 # Lights that are spherical Gaussians: truth, fit, front. The sphere beneath and the quadrature are sphere_light's.
-SG_LIGHT_COMMANDS := $(addprefix cases/sg_light/,bounds.c fit.c fit_diffuse.c fit_tiers.c front.c objective.c shipped.c tiers.c)
+SG_LIGHT_COMMANDS := $(addprefix cases/sg_light/,bounds.c diffuse_bounds.c fit.c fit_diffuse.c fit_tiers.c front.c objective.c shipped.c tiers.c)
 SG_LIGHT_SRC := $(filter-out $(SG_LIGHT_COMMANDS),$(wildcard cases/sg_light/*.c))
 SG_LIGHT_OBJ := $(SG_LIGHT_SRC:%.c=$(B)/%.o)
 FIT_OBJ += $(SG_LIGHT_OBJ) $(SG_LIGHT_COMMANDS:%.c=$(B)/%.o)
@@ -20,7 +20,7 @@ sg-light-front: $(B)/lobefit
 sg-ndf: $(B)/lobefit
 	$< search sg_light --ndf cases/sg_light/ndf.csv
 
-SG_LIGHT_SHARED := $(addprefix $(B)/cases/sphere_light/,columns.o quadrature.o truth_cone.o truth_stretched.o \
+SG_LIGHT_SHARED := $(addprefix $(B)/cases/sphere_light/,columns.o light_points.o quadrature.o truth_cone.o truth_stretched.o \
     truth_source.o) $(addprefix $(B)/cases/fit/,atomic_file.o truth_cache.o interrupt.o jacobian.o least_squares.o objective.o \
     triangle.o trust_region.o)
 TESTS += $(B)/test/test_sg_light_truth $(B)/test/test_sg_floors

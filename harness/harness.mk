@@ -33,9 +33,9 @@ $(B)/conform: $(addprefix $(B)/harness/,conform.o conform_report.o port_stdio.o 
 
 # Tests: programs on cmocka and scripts, all of which print TAP.
 UNIT_TESTS := range arrays limits promises q30 apply diffuse_sh diffuse_sh_radiance sphere_diffuse sphere_sh \
-              sphere_schlick sphere_tiers sphere_seen sphere_light_q30 capsule_tiers sg_light env_lobes \
+              sphere_schlick sphere_tiers sphere_seen sphere_light_q30 capsule_tiers sg_light env_lobes env_adaptive env_lobes_table env_fresnel \
               helpers tables vec_file judge hash
-SCRIPT_TESTS := chart cli conform contract diffuse_chart dropin embed fuzz header lib readme sanitize shaders sphere_chart targets vectors \
+SCRIPT_TESTS := chart cli conform contract diffuse_chart dropin embed env_chart fuzz header lib readme sanitize shaders sphere_chart targets vectors \
                 warnings
 TESTS += $(UNIT_TESTS:%=$(B)/test/test_%) $(SCRIPT_TESTS:%=harness/test/test_%.sh)
 
@@ -45,7 +45,7 @@ $(UNIT_TESTS:%=$(B)/test/test_%): $(B)/test/test_%: harness/test/test_%.c \
 	$(CC) $(ALL_CFLAGS) $^ -o $@ $(LDFLAGS) -lcmocka -lm
 
 # The table lookup as users of fast-math build it.
-TABLE_SRC := $(wildcard models/f32/*table*.c models/q30/*table*.c models/tables/*.c)
+TABLE_SRC := $(wildcard models/f32/split*table*.c models/q30/split*table*.c models/tables/split*.c)
 TESTS += $(B)/test/test_tables_fast
 $(B)/test/test_tables_fast: harness/test/test_tables.c $(TABLE_SRC) $(LIB_HDR)
 	@mkdir -p $(@D)

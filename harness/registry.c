@@ -4,6 +4,7 @@
 #include "../models/coeffs/energy_bounds.h"
 #include "../models/coeffs/env_lobes_bounds.h"
 #include "../models/coeffs/env_lobes_sg_bounds.h"
+#include "../models/coeffs/sg_diffuse_bounds.h"
 #include "../models/coeffs/sg_light_bounds.h"
 #include "../models/coeffs/sphere_diffuse_bounds.h"
 #include "../models/coeffs/sphere_light_bounds.h"
@@ -145,6 +146,8 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
     {                                                                                                                  \
         out[0].q = lobe_scaled_to_q30(lobe_##model##_##tier##_q30(in[0].q, in[1].q));                                  \
     }
+#define SG_DIFFUSE_F32 SPHERE_DIFFUSE_F32
+#define SG_DIFFUSE_Q30 SPHERE_DIFFUSE_Q30
 #define ENV_OUT(field, wide, weigh, n)                                                                                 \
     do {                                                                                                               \
         int k;                                                                                                         \
@@ -165,6 +168,8 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
     ENV_CALL(model, tier, kernel, n, lobe_env_tap_f32, width, weight, f32, f)
 #define ENV_Q30(model, tier, bounds, kernel, n)                                                                        \
     ENV_CALL(model, tier, kernel, n, lobe_env_tap_q30, width, weight_q16, q30, q)
+#define ENV_COUNTED_F32 ENV_F32
+#define ENV_COUNTED_Q30 ENV_Q30
 #define ENV_SG_F32(model, tier, bounds, kernel, n)                                                                     \
     ENV_CALL(model, tier, kernel, n, lobe_env_sg_tap_f32, sharpness, weight, f32, f)
 #define ENV_SG_Q30(model, tier, bounds, kernel, n)                                                                     \
@@ -191,8 +196,12 @@ const char *const lobe_format_names[LOBE_FORMATS] = {"f32", "q30"};
 #undef SG_Q30
 #undef SPHERE_DIFFUSE_F32
 #undef SPHERE_DIFFUSE_Q30
+#undef SG_DIFFUSE_F32
+#undef SG_DIFFUSE_Q30
 #undef ENV_F32
 #undef ENV_Q30
+#undef ENV_COUNTED_F32
+#undef ENV_COUNTED_Q30
 #undef ENV_SG_F32
 #undef ENV_SG_Q30
 
@@ -218,6 +227,7 @@ static const lobe_range sg_light_ranges[] = {{0.22, 1.0, 0.0, 1.0},
                                              {-1.0, 1.0, -1.0, 1.0},
                                              {0.0, 1.0, 0.0, 1.0},
                                              {0.000244140625, 0.25, 0.0, 1.0}};
+static const lobe_range sg_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.000244140625, 1.0, 0.0, 1.0}};
 static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0, 1.0, 0.0, 1.0}};
 
 /* Second reading: the table. ROW_OF has everything, the others what their models have in common. */
@@ -287,18 +297,21 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
            "radiance", 0, array, bounds, bounds##_##FORMAT##_BELOW_MAX)
 #define SG_F32(model, tier, bounds) ROW_SG(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
 #define SG_Q30(model, tier, bounds) ROW_SG(model, tier, q30, Q30, NULL, bounds)
-#define ROW_SPHERE_DIFFUSE(model, tier, format, FORMAT, array, bounds)                                                 \
-    ROW_OF(model, tier, format, FORMAT, 2, "n_dot_l sine", sphere_diffuse_ranges, 1, "irradiance", 0, array, bounds,   \
+#define ROW_DIFFUSE(model, tier, size, format, FORMAT, array, bounds)                                                  \
+    ROW_OF(model, tier, format, FORMAT, 2, "n_dot_l " size, model##_ranges, 1, "irradiance", 0, array, bounds,         \
            bounds##_##FORMAT##_MAX)
 #define SPHERE_DIFFUSE_F32(model, tier, bounds)                                                                        \
-    ROW_SPHERE_DIFFUSE(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
-#define SPHERE_DIFFUSE_Q30(model, tier, bounds) ROW_SPHERE_DIFFUSE(model, tier, q30, Q30, NULL, bounds)
-/* Errors are those of the albedo, energy's high, and of a sum of eight numbers. */
+    ROW_DIFFUSE(model, tier, "sine", f32, F32, model##_##tier##_n_f32, bounds)
+#define SPHERE_DIFFUSE_Q30(model, tier, bounds) ROW_DIFFUSE(model, tier, "sine", q30, Q30, NULL, bounds)
+#define SG_DIFFUSE_F32(model, tier, bounds)                                                                            \
+    ROW_DIFFUSE(model, tier, "versine", f32, F32, model##_##tier##_n_f32, bounds)
+#define SG_DIFFUSE_Q30(model, tier, bounds) ROW_DIFFUSE(model, tier, "versine", q30, Q30, NULL, bounds)
+/* Errors are those of the weights' sum, against the albedo. */
 #define TAPS_1 "angle0 width0 weight0"
 #define TAPS_2 TAPS_1 " angle1 width1 weight1"
 #define TAPS_4 TAPS_2 " angle2 width2 weight2 angle3 width3 weight3"
-#define TAPS_8 TAPS_4 " angle4 width4 weight4 angle5 width5 weight5 angle6 width6 weight6 angle7 width7 weight7"
-#define SUMMED 1e-5
+#define TAPS_6 TAPS_4 " angle4 width4 weight4 angle5 width5 weight5"
+#define TAPS_8 TAPS_6 " angle6 width6 weight6 angle7 width7 weight7"
 #define ROW_ENV(model, tier, format, FORMAT, bounds, kernel, n, prefilter, q16)                                        \
     {#model,                                                                                                           \
      #tier,                                                                                                            \
@@ -312,16 +325,18 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
      model##_##tier##_##format,                                                                                        \
      NULL,                                                                                                             \
      bounds##_OPS + LOBE_ENERGY_HIGH_OPS,                                                                              \
-     LOBE_ENERGY_HIGH_##FORMAT##_MAX + SUMMED,                                                                         \
-     LOBE_ENERGY_HIGH_##FORMAT##_RMS + SUMMED,                                                                         \
-     LOBE_ENERGY_HIGH_##FORMAT##_BELOW_MAX + SUMMED,                                                                   \
-     UNIT_FROM(LOBE_ENERGY_HIGH_DOMAIN_LO),                                                                            \
+     bounds##_##FORMAT##_MAX,                                                                                          \
+     bounds##_##FORMAT##_RMS,                                                                                          \
+     bounds##_##FORMAT##_BELOW_MAX,                                                                                    \
+     UNIT_FROM(bounds##_DOMAIN_LO),                                                                                    \
      prefilter,                                                                                                        \
      3,                                                                                                                \
      q16},
 #define ENV_F32(model, tier, bounds, kernel, n) ROW_ENV(model, tier, f32, F32, bounds, kernel, n, "prefilter", 0)
 #define ENV_Q30(model, tier, bounds, kernel, n)                                                                        \
     ROW_ENV(model, tier, q30, Q30, bounds, kernel, n, "prefilter", 044444444)
+#define ENV_COUNTED_F32 ENV_F32
+#define ENV_COUNTED_Q30 ENV_Q30
 #define ENV_SG_F32(model, tier, bounds, kernel, n) ROW_ENV(model, tier, f32, F32, bounds, kernel, n, "sg", 0)
 #define ENV_SG_Q30(model, tier, bounds, kernel, n) ROW_ENV(model, tier, q30, Q30, bounds, kernel, n, "sg", 0xffffff)
 const lobe_entry lobe_entries[] = {

@@ -13,9 +13,11 @@
  *   LIT_F32, LIT_Q30: the same where that function gives it beside the radiance
  *   CAPSULE_F32, CAPSULE_Q30: the same of a capsule, of nine
  *   SG_F32, SG_Q30: radiance of a spherical Gaussian light, of five
- *   SPHERE_DIFFUSE_F32, SPHERE_DIFFUSE_Q30: a sphere's irradiance over pi, of two
+ *   SPHERE_DIFFUSE_F32, SPHERE_DIFFUSE_Q30: a sphere's irradiance over pi, of two; SG_DIFFUSE_F32, SG_DIFFUSE_Q30: that
+ *   of a spherical Gaussian, the same functions of other inputs
  *   ENV_F32, ENV_Q30, ENV_SG_F32, ENV_SG_Q30: taps into a prefiltered environment, by a function of another name, which
- *   is the fourth column, and their number; the vectors know their sum */
+ *   is the fourth column, and their number; the vectors know their sum; ENV_COUNTED_F32, ENV_COUNTED_Q30: by a function
+ *   that returns how many of them count */
 DFG_F32(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_Q30(split_sum, low, LOBE_SPLIT_SUM_LOW)
 DFG_F32(split_sum, medium, LOBE_SPLIT_SUM_MEDIUM)
@@ -74,10 +76,14 @@ CAPSULE_F32(capsule_light, medium, LOBE_CAPSULE_LIGHT_MEDIUM)
 CAPSULE_Q30(capsule_light, medium, LOBE_CAPSULE_LIGHT_MEDIUM)
 CAPSULE_F32(capsule_light, high, LOBE_CAPSULE_LIGHT_HIGH)
 CAPSULE_Q30(capsule_light, high, LOBE_CAPSULE_LIGHT_HIGH)
+SG_F32(sg_light, low, LOBE_SG_LIGHT_LOW)
+SG_Q30(sg_light, low, LOBE_SG_LIGHT_LOW)
 SG_F32(sg_light, medium, LOBE_SG_LIGHT_MEDIUM)
 SG_Q30(sg_light, medium, LOBE_SG_LIGHT_MEDIUM)
 SG_F32(sg_light, high, LOBE_SG_LIGHT_HIGH)
 SG_Q30(sg_light, high, LOBE_SG_LIGHT_HIGH)
+SG_DIFFUSE_F32(sg_diffuse, high, LOBE_SG_DIFFUSE_HIGH)
+SG_DIFFUSE_Q30(sg_diffuse, high, LOBE_SG_DIFFUSE_HIGH)
 SPHERE_DIFFUSE_F32(sphere_diffuse, low, LOBE_SPHERE_DIFFUSE_LOW)
 SPHERE_DIFFUSE_Q30(sphere_diffuse, low, LOBE_SPHERE_DIFFUSE_LOW)
 SPHERE_DIFFUSE_F32(sphere_diffuse, medium, LOBE_SPHERE_DIFFUSE_MEDIUM)
@@ -92,6 +98,16 @@ ENV_F32(env_lobes, lobes4, LOBE_ENV_LOBES_LOBES4, lobe_env_lobes4, 4)
 ENV_Q30(env_lobes, lobes4, LOBE_ENV_LOBES_LOBES4, lobe_env_lobes4, 4)
 ENV_F32(env_lobes, lobes8, LOBE_ENV_LOBES_LOBES8, lobe_env_lobes8, 8)
 ENV_Q30(env_lobes, lobes8, LOBE_ENV_LOBES_LOBES8, lobe_env_lobes8, 8)
+ENV_F32(env_lobes, lobes1_table16, LOBE_ENV_LOBES_LOBES1_TABLE16, lobe_env_lobes1_table16, 1)
+ENV_Q30(env_lobes, lobes1_table16, LOBE_ENV_LOBES_LOBES1_TABLE16, lobe_env_lobes1_table16, 1)
+ENV_F32(env_lobes, lobes2_table16, LOBE_ENV_LOBES_LOBES2_TABLE16, lobe_env_lobes2_table16, 2)
+ENV_Q30(env_lobes, lobes2_table16, LOBE_ENV_LOBES_LOBES2_TABLE16, lobe_env_lobes2_table16, 2)
+ENV_F32(env_lobes, lobes4_table16, LOBE_ENV_LOBES_LOBES4_TABLE16, lobe_env_lobes4_table16, 4)
+ENV_Q30(env_lobes, lobes4_table16, LOBE_ENV_LOBES_LOBES4_TABLE16, lobe_env_lobes4_table16, 4)
+ENV_F32(env_lobes, lobes8_table16, LOBE_ENV_LOBES_LOBES8_TABLE16, lobe_env_lobes8_table16, 8)
+ENV_Q30(env_lobes, lobes8_table16, LOBE_ENV_LOBES_LOBES8_TABLE16, lobe_env_lobes8_table16, 8)
+ENV_COUNTED_F32(env_lobes, adaptive, LOBE_ENV_LOBES_ADAPTIVE, lobe_env_lobes_adaptive, 6)
+ENV_COUNTED_Q30(env_lobes, adaptive, LOBE_ENV_LOBES_ADAPTIVE, lobe_env_lobes_adaptive, 6)
 ENV_SG_F32(env_lobes_sg, lobes1, LOBE_ENV_LOBES_SG_LOBES1, lobe_env_lobes_sg1, 1)
 ENV_SG_Q30(env_lobes_sg, lobes1, LOBE_ENV_LOBES_SG_LOBES1, lobe_env_lobes_sg1, 1)
 ENV_SG_F32(env_lobes_sg, lobes2, LOBE_ENV_LOBES_SG_LOBES2, lobe_env_lobes_sg2, 2)

@@ -40,6 +40,21 @@ LOBE_STRUCT(lobe_capsule_terms)
     lobe_real bend;   /* towards the plateau: y b / (1 + bend y (b - 1)) for b spheres of radiance y */
 };
 
+LOBE_FN lobe_capsule_terms lobe_capsule_terms_of(lobe_real widen, lobe_real set, lobe_real level, lobe_real reach,
+                                                 lobe_real turn, lobe_real near, lobe_real centre, lobe_real bend)
+{
+    lobe_capsule_terms k;
+    k.widen = widen;
+    k.set = set;
+    k.level = level;
+    k.reach = reach;
+    k.turn = turn;
+    k.near = near;
+    k.centre = centre;
+    k.bend = bend;
+    return k;
+}
+
 /* One sphere of the line, and the line in its measure. */
 LOBE_STRUCT(lobe_capsule_strip)
 {
@@ -236,17 +251,9 @@ LOBE_FN lobe_real lobe_capsule_bent(lobe_real y, lobe_real more, lobe_real bend)
  * is longer than the lobe is wide; of the line the lobe takes the part seen / (seen + length), as angles. */
 LOBE_FN lobe_real lobe_capsule_light_low(LOBE_COEFFS lobe_real roughness, lobe_capsule light)
 {
-    lobe_capsule_terms k;
-    LOBE_LET set = LOBE_R(0.0);
+    LOBE_LET none = LOBE_R(0.0);
     LOBE_LET level = LOBE_R(1.0);
-    k.widen = set;
-    k.set = set;
-    k.level = level;
-    k.reach = set;
-    k.turn = set;
-    k.near = set;
-    k.centre = set;
-    k.bend = set;
+    lobe_capsule_terms k = lobe_capsule_terms_of(none, none, level, none, none, none, none, none);
     lobe_capsule whole = lobe_capsule_clamped(light);
     lobe_capsule c = lobe_capsule_risen(whole, k);
     LOBE_LET a = lobe_sphere_alpha(roughness);
@@ -270,26 +277,13 @@ LOBE_FN lobe_real lobe_capsule_light_low(LOBE_COEFFS lobe_real roughness, lobe_c
 
 LOBE_FN lobe_real lobe_capsule_light_medium(LOBE_COEFFS lobe_real roughness, lobe_capsule light)
 {
-    lobe_capsule_terms k;
-    LOBE_LET widen = LOBE_CAPSULE_LIGHT_MEDIUM_C0;
-    LOBE_LET set = LOBE_CAPSULE_LIGHT_MEDIUM_C1;
-    LOBE_LET level = LOBE_CAPSULE_LIGHT_MEDIUM_C2;
-    LOBE_LET reach = LOBE_CAPSULE_LIGHT_MEDIUM_C3;
-    LOBE_LET turn = LOBE_CAPSULE_LIGHT_MEDIUM_C4;
-    LOBE_LET near = LOBE_CAPSULE_LIGHT_MEDIUM_C5;
-    LOBE_LET centre = LOBE_CAPSULE_LIGHT_MEDIUM_C6;
-    LOBE_LET bend = LOBE_CAPSULE_LIGHT_MEDIUM_C7;
-    k.widen = widen;
-    k.set = set;
-    k.level = level;
-    k.reach = reach;
-    k.turn = turn;
-    k.near = near;
-    k.centre = centre;
-    k.bend = bend;
+    lobe_capsule_terms k =
+        lobe_capsule_terms_of(LOBE_CAPSULE_LIGHT_MEDIUM_C0, LOBE_CAPSULE_LIGHT_MEDIUM_C1, LOBE_CAPSULE_LIGHT_MEDIUM_C2,
+                              LOBE_CAPSULE_LIGHT_MEDIUM_C3, LOBE_CAPSULE_LIGHT_MEDIUM_C4, LOBE_CAPSULE_LIGHT_MEDIUM_C5,
+                              LOBE_CAPSULE_LIGHT_MEDIUM_C6, LOBE_CAPSULE_LIGHT_MEDIUM_C7);
     lobe_capsule_spot spot = lobe_capsule_line(roughness, light, k);
     LOBE_LET y = lobe_sphere_light_medium(roughness, spot.light);
-    return lobe_capsule_bent(y, spot.more, bend);
+    return lobe_capsule_bent(y, spot.more, k.bend);
 }
 
 #endif

@@ -7,26 +7,12 @@
 
 LOBE_FN lobe_real lobe_capsule_light_high(LOBE_COEFFS lobe_real roughness, lobe_capsule light)
 {
-    lobe_capsule_terms k;
-    LOBE_LET widen = LOBE_CAPSULE_LIGHT_HIGH_C0;
-    LOBE_LET set = LOBE_CAPSULE_LIGHT_HIGH_C1;
-    LOBE_LET level = LOBE_CAPSULE_LIGHT_HIGH_C2;
-    LOBE_LET reach = LOBE_CAPSULE_LIGHT_HIGH_C3;
-    LOBE_LET turn = LOBE_CAPSULE_LIGHT_HIGH_C4;
-    LOBE_LET near = LOBE_CAPSULE_LIGHT_HIGH_C5;
-    LOBE_LET centre = LOBE_CAPSULE_LIGHT_HIGH_C6;
-    LOBE_LET bend = LOBE_CAPSULE_LIGHT_HIGH_C7;
-    k.widen = widen;
-    k.set = set;
-    k.level = level;
-    k.reach = reach;
-    k.turn = turn;
-    k.near = near;
-    k.centre = centre;
-    k.bend = bend;
+    lobe_capsule_terms k = lobe_capsule_terms_of(
+        LOBE_CAPSULE_LIGHT_HIGH_C0, LOBE_CAPSULE_LIGHT_HIGH_C1, LOBE_CAPSULE_LIGHT_HIGH_C2, LOBE_CAPSULE_LIGHT_HIGH_C3,
+        LOBE_CAPSULE_LIGHT_HIGH_C4, LOBE_CAPSULE_LIGHT_HIGH_C5, LOBE_CAPSULE_LIGHT_HIGH_C6, LOBE_CAPSULE_LIGHT_HIGH_C7);
     lobe_capsule_spot spot = lobe_capsule_line(roughness, light, k);
     LOBE_LET y = lobe_sphere_light_high(roughness, spot.light);
-    return lobe_capsule_bent(y, spot.more, bend);
+    return lobe_capsule_bent(y, spot.more, k.bend);
 }
 
 #endif

@@ -10,6 +10,7 @@
 #include "env_lobes2.h"
 #include "env_lobes4.h"
 #include "env_lobes8.h"
+#include "env_lobes_adaptive.h"
 #include "env_lobes_sg.h"
 
 #if !defined(LOBE_FIT)
@@ -36,6 +37,12 @@ LOBE_FN lobe_env_fan8 lobe_env_lobes8(lobe_real roughness, lobe_real n_dot_v)
 {
     LOBE_LET albedo = lobe_energy_high(roughness, n_dot_v);
     return lobe_env_lobes_lobes8(roughness, n_dot_v, albedo);
+}
+
+LOBE_FN lobe_env_fan6 lobe_env_lobes_adaptive(lobe_real roughness, lobe_real n_dot_v)
+{
+    LOBE_LET albedo = lobe_energy_high(roughness, n_dot_v);
+    return lobe_env_adaptive_fan(roughness, n_dot_v, albedo);
 }
 
 LOBE_FN lobe_env_tap lobe_env_lobes_sg1(lobe_real roughness, lobe_real n_dot_v)

@@ -5,12 +5,12 @@
 #define LOBE_SG_DIFFUSE_H
 #include "../core/exp2.h"
 #include "../core/sqrt.h"
-#include "coeffs/sg_light_diffuse.h"
+#include "coeffs/sg_diffuse_high.h"
 
 /* The mean of n.l over the whole light is elementary, A c. The mean of |n.l| is even in c; of a narrow light it is
  * that of a normal distribution, whose square is x^2 + 2 / pi exp(-.57 x^2) within 1e-3: so it is here. What is lit is
  * half the sum. */
-LOBE_FN lobe_real lobe_sg_diffuse_fitted(LOBE_COEFFS lobe_real n_dot_l, lobe_real versine)
+LOBE_FN lobe_real lobe_sg_diffuse_high(LOBE_COEFFS lobe_real n_dot_l, lobe_real versine)
 {
     LOBE_LET c = lobe_clamp(n_dot_l, LOBE_R(-1.0), LOBE_R(1.0));
     LOBE_LET w = lobe_clamp(versine, LOBE_R(1e-6), LOBE_R(4.0));
@@ -18,10 +18,9 @@ LOBE_FN lobe_real lobe_sg_diffuse_fitted(LOBE_COEFFS lobe_real n_dot_l, lobe_rea
     LOBE_LET behind = lobe_exp2(LOBE_R(-2.88539008) * sharp); /* exp(-2 / versine): what the light has there */
     LOBE_LET whole = LOBE_R(1.0) - behind;
     LOBE_LET ac = c * (LOBE_R(1.0) + behind - whole * w);
-    LOBE_LET even =
-        w * (w + LOBE_SG_LIGHT_DIFFUSE_C0) /
-        (w * (LOBE_R(4.0) * w + LOBE_SG_LIGHT_DIFFUSE_C1) + LOBE_R(1.57079633) * LOBE_SG_LIGHT_DIFFUSE_C0);
-    LOBE_LET fall = LOBE_SG_LIGHT_DIFFUSE_C2 * (c * c) * sharp / (LOBE_R(1.0) + LOBE_SG_LIGHT_DIFFUSE_C3 * w);
+    LOBE_LET even = w * (w + LOBE_SG_DIFFUSE_HIGH_C0) /
+                    (w * (LOBE_R(4.0) * w + LOBE_SG_DIFFUSE_HIGH_C1) + LOBE_R(1.57079633) * LOBE_SG_DIFFUSE_HIGH_C0);
+    LOBE_LET fall = LOBE_SG_DIFFUSE_HIGH_C2 * (c * c) * sharp / (LOBE_R(1.0) + LOBE_SG_DIFFUSE_HIGH_C3 * w);
     LOBE_LET square = ac * ac + whole * whole * (even * lobe_exp2(-fall));
     LOBE_LET y = w * lobe_max(ac + lobe_sqrt(square), LOBE_R(0.0));
     return y;

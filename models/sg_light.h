@@ -12,10 +12,12 @@
  * versine), d along v - axis, m along v x axis. The product of the two has a closed integral, in which d and m occur
  * only as |v + axis| and as the distance from the axis to the mirror direction, so that view = axis is no exception.
  * What is left is the sum over t: its Gaussian of the light's own distance is taken at one t (medium) or at two (high),
- * what makes D of Gaussians is summed exactly. Derived in cases/sg_light/README.md. */
+ * and that t is the one that counts in this place, the smaller the farther out; what makes D of Gaussians is summed
+ * exactly. low puts powers for the Gaussians. Derived in cases/sg_light/README.md. */
 #ifndef LOBE_SG_LIGHT_H
 #define LOBE_SG_LIGHT_H
 #include "../core/exp2.h"
+#include "coeffs/sg_light_low.h"
 #include "coeffs/sg_light_medium.h"
 #include "sphere_light.h"
 
@@ -48,7 +50,36 @@ LOBE_FN lobe_sg lobe_sg_of(lobe_real n_dot_v, lobe_real n_dot_l, lobe_real tange
     return y;
 }
 
-/* One t. Lengths along d and m, the offset and the exponent have the common factor that makes them short. */
+/* Neither exponential nor root but those of the mask: what the light's distance to the mirror direction costs is added
+ * to the offset, and takes a third power of its own. */
+LOBE_FN lobe_real lobe_sg_light_low(LOBE_COEFFS lobe_real roughness, lobe_sg light)
+{
+    lobe_sg s = lobe_sg_clamped(light);
+    LOBE_LET across = LOBE_R(4.0) * s.tangent2; /* of v + axis */
+    LOBE_LET v = s.n_dot_v;
+    LOBE_LET l = s.n_dot_l;
+    LOBE_LET w = s.versine;
+    LOBE_LET a = lobe_sphere_alpha(roughness);
+    LOBE_LET a2 = a * a;
+    LOBE_LET b = LOBE_R(1.0) - a2;
+    LOBE_LET h = v + l;
+    LOBE_LET off = v - l;
+    LOBE_LET lobe_g = a2 * (across + h * h); /* of |v + axis|^2 */
+    LOBE_LET x = w * (across + off * off);   /* of |mirror direction - axis|^2 */
+    LOBE_LET q = (a2 + LOBE_SG_LIGHT_LOW_C0 * w) * (lobe_g + LOBE_SG_LIGHT_LOW_C1 * w);
+    LOBE_LET t = q + a2 * (b * across) + LOBE_SG_LIGHT_LOW_C2 * x;
+    LOBE_LET u = q + LOBE_SG_LIGHT_LOW_C3 * x;
+    LOBE_LET root_v = lobe_sqrt(a2 + b * (v * v));
+    LOBE_LET spread = lobe_g + w * (LOBE_SG_LIGHT_LOW_C4 * v + LOBE_SG_LIGHT_LOW_C5 * root_v);
+    LOBE_LET z = lobe_max(l + LOBE_SG_LIGHT_LOW_C6 * (w * off), LOBE_SG_LIGHT_LOW_C7 * w);
+    LOBE_LET m = lobe_sphere_mask(a2, b, v, root_v, z);
+    LOBE_LET top = w * (spread * z) * (q * q);
+    LOBE_LET radiance = lobe_saturate(top / (t * t * (m * u) + LOBE_R(1e-36)));
+    return radiance;
+}
+
+/* One t. Lengths along d and m, the offset and the exponent have the common factor that makes them short; so have the
+ * height z and the mask m, by along. */
 LOBE_FN lobe_real lobe_sg_light_medium(LOBE_COEFFS lobe_real roughness, lobe_sg light)
 {
     lobe_sg s = lobe_sg_clamped(light);
@@ -61,25 +92,26 @@ LOBE_FN lobe_real lobe_sg_light_medium(LOBE_COEFFS lobe_real roughness, lobe_sg 
     LOBE_LET b = LOBE_R(1.0) - a2;
     LOBE_LET h = v + l;
     LOBE_LET off = v - l;
-    LOBE_LET g = across + h * h;       /* |v + axis|^2 */
-    LOBE_LET far = across + off * off; /* |mirror direction - axis|^2 */
-    LOBE_LET e = LOBE_SG_LIGHT_MEDIUM_C0 * w;
-    LOBE_LET lobe = a2 + a2;
-    LOBE_LET lobe_g = a2 * g;
-    LOBE_LET along = e + lobe;
-    LOBE_LET aside = e + e + lobe_g;
+    LOBE_LET far = across + off * off;       /* |mirror direction - axis|^2 */
+    LOBE_LET lobe_g = a2 * (across + h * h); /* of |v + axis|^2 */
+    LOBE_LET bent = b * across;
+    LOBE_LET widest = LOBE_SG_LIGHT_MEDIUM_C0 * w;
+    LOBE_LET aside0 = lobe_g + LOBE_SG_LIGHT_MEDIUM_C1 * widest;
+    LOBE_LET counts = aside0 / (aside0 + LOBE_SG_LIGHT_MEDIUM_C2 * bent); /* the t that counts */
+    LOBE_LET e = widest * counts;
+    LOBE_LET along = a2 + e;
+    LOBE_LET aside = lobe_g + LOBE_SG_LIGHT_MEDIUM_C1 * e;
     LOBE_LET q = along * aside;
-    LOBE_LET y = lobe * (b * across);
-    LOBE_LET fall = LOBE_SG_LIGHT_MEDIUM_C1 * (w * far) / (q + LOBE_SG_LIGHT_MEDIUM_C2 * y);
+    LOBE_LET x = e * counts * far;
+    LOBE_LET t = q + a2 * bent + LOBE_SG_LIGHT_MEDIUM_C3 * x;
     LOBE_LET v2 = v * v;
     LOBE_LET n = a2 + b * v2;
     LOBE_LET root_v = lobe_sqrt(n);
-    LOBE_LET seen = LOBE_SG_LIGHT_MEDIUM_C3 * v2 + LOBE_SG_LIGHT_MEDIUM_C4 * n; /* 2 (v.h)^2 of the lobe's middle */
+    LOBE_LET seen = LOBE_SG_LIGHT_MEDIUM_C4 * v2 + LOBE_SG_LIGHT_MEDIUM_C5 * n; /* (v.h)^2 of the lobe's middle */
     LOBE_LET spread = lobe_sqrt((lobe_g + seen * e) * aside);
-    LOBE_LET z = lobe_max((lobe * l + e * v) / along, LOBE_SG_LIGHT_MEDIUM_C5 * w);
-    LOBE_LET m = lobe_sphere_mask(a2, b, v, root_v, z);
-    LOBE_LET t = q + y;
-    LOBE_LET top = (w + w) * (spread * q) * (z * lobe_exp2(-fall));
+    LOBE_LET z = lobe_max(a2 * l + e * v, LOBE_SG_LIGHT_MEDIUM_C6 * (w * along));
+    LOBE_LET m = z * root_v + v * lobe_sqrt(a2 * (along * along) + b * (z * z));
+    LOBE_LET top = w * (spread * q) * (z * lobe_exp2(-(x / q)));
     LOBE_LET radiance = lobe_saturate(top / (t * t * m + LOBE_R(1e-36)));
     return radiance;
 }

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../fit/atomic_file.h"
-#include "../fit/coefficients.h"
+#include "../fit/bound_header.h"
 #include "../fit/fit_command.h"
-#include "../fit/truth_cache.h"
+#include "../fit/measure.h"
 #include "judge.h"
 #include "operations.h"
 #include "points.h"
@@ -13,18 +13,7 @@
 #include "tiers.h"
 #include "truth_capsule.h"
 
-enum { STARTS = 4, HALVINGS = 8, COLUMNS = 9 };
-
-/* One side of the domain's edge: rows, and what is true there. */
-typedef struct region {
-    double *rows, *truth;
-    size_t judged, count; /* of the hypercube; with the vectors */
-    bool beyond;
-} region;
-
-typedef struct measured {
-    double max, at[COLUMNS], rms;
-} measured;
+enum { COLUMNS = 9 };
 
 static void fast_rows(const double *in, double *out, size_t n)
 {
@@ -35,111 +24,31 @@ static void fast_rows(const double *in, double *out, size_t n)
     }
 }
 
-static double error_at(const lobe_capsule_shipped *s, const double *row)
+static bool step_from(const double *row, const double *direction, double step, bool beyond, double *next)
 {
-    double truth;
-    fast_rows(row, &truth, 1);
-    return fabs(s->call(row) - truth);
+    int k;
+    for (k = 0; k < COLUMNS; k++)
+        next[k] = row[k] + step * direction[k];
+    return lobe_capsule_settle(next, beyond);
 }
 
-/* Uphill from a row, in steps that shrink where none gains: the rows may have missed the top. */
-static void climb(const lobe_capsule_shipped *s, const region *r, double row[COLUMNS], double *error)
-{
-    double step = .02;
-    int axis, halvings = 0;
-    while (halvings < HALVINGS) {
-        bool gained = false;
-        for (axis = 0; axis < 2 * COLUMNS; axis++) {
-            double next[COLUMNS], e;
-            memcpy(next, row, sizeof next);
-            next[axis / 2] += axis & 1 ? step : -step;
-            if (!lobe_capsule_settle(next, r->beyond) || (e = error_at(s, next)) <= *error)
-                continue;
-            *error = e;
-            memcpy(row, next, sizeof next);
-            gained = true;
-        }
-        if (!gained) {
-            step *= .5;
-            halvings++;
-        }
-    }
-}
-
-static measured measure(const lobe_capsule_shipped *s, const region *r)
-{
-    measured m = {0};
-    double top[STARTS] = {0}, squares = 0;
-    size_t where[STARTS] = {0}, i;
-    int k, least;
-    for (i = 0; i < r->count; i++) {
-        const double e = fabs(s->call(r->rows + COLUMNS * i) - r->truth[i]);
-        if (i < r->judged)
-            squares += e * e;
-        for (least = 0, k = 1; k < STARTS; k++)
-            least = top[k] < top[least] ? k : least;
-        if (e > top[least]) {
-            top[least] = e;
-            where[least] = i;
-        }
-    }
-    m.rms = sqrt(squares / (double)r->judged);
-    for (k = 0; k < STARTS; k++) {
-        double row[COLUMNS];
-        memcpy(row, r->rows + COLUMNS * where[k], sizeof row);
-        if (!r->beyond) /* there the errors reach 1 as they are */
-            climb(s, r, row, &top[k]);
-        if (top[k] > m.max) {
-            m.max = top[k];
-            memcpy(m.at, row, sizeof row);
-        }
-    }
-    return m;
-}
-
-static bool region_make(region *r, bool beyond, const lobe_sweep_options *options)
-{
-    static const lobe_case fast = {
-        .name = "capsule_light_judged", .input_count = COLUMNS, .output_count = 1, .truth = fast_rows};
-    const lobe_vector_set *set = &lobe_capsule_vectors;
-    r->beyond = beyond;
-    r->judged = beyond ? LOBE_CAPSULE_JUDGED / 2 : LOBE_CAPSULE_JUDGED;
-    r->rows = malloc(COLUMNS * (r->judged + LOBE_CAPSULE_VECTORS) * sizeof *r->rows);
-    r->truth = malloc((r->judged + LOBE_CAPSULE_VECTORS) * sizeof *r->truth);
-    if (!r->rows || !r->truth) {
-        fputs("lobefit: bounds: not enough memory\n", stderr);
-        return false;
-    }
-    lobe_capsule_judged(beyond, r->rows, r->judged);
-    r->count = r->judged + set->points(0, beyond, set->seed, r->rows + COLUMNS * r->judged, LOBE_CAPSULE_VECTORS);
-    lobe_truth_cached(&fast, r->rows, r->truth, r->count, options);
-    return true;
-}
-
-/* Three significant digits, never less than x. */
-static double rounded_up(double x)
-{
-    char text[40];
-    double unit;
-    if (!(x > 0))
-        return 0;
-    unit = pow(10, floor(log10(x)) - 2);
-    snprintf(text, sizeof text, "%.2e", ceil(x / unit * (1 - 1e-12)) * unit);
-    return atof(text);
-}
+static const lobe_quantity radiance = {
+    .judged = {.name = "capsule_light_judged", .input_count = COLUMNS, .output_count = 1, .truth = fast_rows},
+    .vectors = &lobe_capsule_vectors,
+    .hypercube = lobe_capsule_judged,
+    .rows = {LOBE_CAPSULE_JUDGED, LOBE_CAPSULE_JUDGED / 2},
+    .step = step_from,
+    .starts = 4,
+    .halvings = 8,
+    .ways = 2 * COLUMNS,
+    .still = true};
 
 static void put(FILE *f, const lobe_capsule_shipped *s, bool with_format, const char *suffix, double x)
 {
-    fputs("#define LOBE_CAPSULE_LIGHT_", f);
-    lobe_put_upper(f, s->tier);
-    if (with_format) {
-        fputc('_', f);
-        lobe_put_upper(f, s->format);
-    }
-    fprintf(f, "_%s %.3g\n", suffix, x);
+    lobe_put_bound(f, "capsule_light", s->tier, with_format ? s->format : NULL, suffix, x);
 }
 
-static void put_measured(FILE *f, const lobe_capsule_shipped *s, const measured *m, const char *where)
+static void put_measured(FILE *f, const lobe_capsule_shipped *s, const lobe_measured *m, const char *where)
 {
     int k;
     fprintf(f, "/* %s, %s, %s: max %.6e at\n *  ", s->tier, s->format, where, m->max);
@@ -156,15 +65,16 @@ static void put_cells(FILE *f, const lobe_capsule_shipped *s, const lobe_capsule
             "/* %s, %s, held-out cells: all %.4f, view <= 60 %.4f, view >= 75 %.4f, worst cell %.4f,\n"
             " *   energy %+.4f */\n",
             s->tier, s->format, score.all, score.view60, score.view75, score.worst, score.energy);
-    put(f, s, true, "CELLS", rounded_up(score.all));
-    put(f, s, true, "CELLS_VIEW60", rounded_up(score.view60));
-    put(f, s, true, "CELLS_VIEW75", rounded_up(score.view75));
-    put(f, s, true, "CELLS_ENERGY", rounded_up(fabs(score.energy)));
+    put(f, s, true, "CELLS", lobe_rounded_up(score.all));
+    put(f, s, true, "CELLS_VIEW60", lobe_rounded_up(score.view60));
+    put(f, s, true, "CELLS_VIEW75", lobe_rounded_up(score.view75));
+    put(f, s, true, "CELLS_ENERGY", lobe_rounded_up(fabs(score.energy)));
 }
 
-static bool put_shipped(FILE *f, const lobe_capsule_shipped *s, const region regions[2], const lobe_capsule_cells *held)
+static bool put_shipped(FILE *f, const lobe_capsule_shipped *s, const lobe_region regions[2],
+                        const lobe_capsule_cells *held)
 {
-    const measured in = measure(s, &regions[0]), out = measure(s, &regions[1]);
+    const lobe_measured in = lobe_measure(s->call, &regions[0]), out = lobe_measure(s->call, &regions[1]);
     if (strcmp(s->format, "f32") == 0) {
 #if defined(LOBE_WITH_EMIT)
         put(f, s, false, "OPS", lobe_capsule_operations(s->tier));
@@ -175,9 +85,9 @@ static bool put_shipped(FILE *f, const lobe_capsule_shipped *s, const region reg
     }
     put_measured(f, s, &in, "in the domain");
     put_measured(f, s, &out, "beyond it");
-    put(f, s, true, "MAX", rounded_up(in.max));
-    put(f, s, true, "RMS", rounded_up(in.rms));
-    put(f, s, true, "BELOW_MAX", rounded_up(out.max));
+    put(f, s, true, "MAX", lobe_rounded_up(in.max));
+    put(f, s, true, "RMS", lobe_rounded_up(in.rms));
+    put(f, s, true, "BELOW_MAX", lobe_rounded_up(out.max));
     put_cells(f, s, held);
     return true;
 }
@@ -195,18 +105,18 @@ static void put_head(FILE *f, const lobe_case *self)
             " * CELLS: relative L2 error on held-out cells (cases/capsule_light/cells.h), root of the mean square;\n"
             " * ENERGY of the worst cell. OPS: beyond a punctual light.\n"
             " * Witnesses are rows of %s. Macros are rounded up. */\n",
-            self->brdf, lobe_capsule_vectors.domain, LOBE_CAPSULE_JUDGED, STARTS, lobe_capsule_vectors.beyond,
+            self->brdf, lobe_capsule_vectors.domain, LOBE_CAPSULE_JUDGED, radiance.starts, lobe_capsule_vectors.beyond,
             "roughness, n_dot_v, middle, arm, radius");
 }
 
 static bool write_all(const lobe_case *self, const lobe_fit_request *request)
 {
-    region regions[2] = {{.rows = NULL}};
+    lobe_region regions[2] = {{.rows = NULL}};
     lobe_capsule_cells held = {.in = NULL};
     lobe_atomic_file file;
     char path[4200];
     int i;
-    bool good = region_make(&regions[0], false, &request->sweep) && region_make(&regions[1], true, &request->sweep);
+    bool good = lobe_regions_make(regions, &radiance, &request->sweep);
     if (good && !(good = lobe_capsule_cells_make(&held, true, &request->sweep)))
         fputs("lobefit: bounds: not enough memory\n", stderr);
     snprintf(path, sizeof path, "%s/capsule_light_bounds.h", request->coeffs);
@@ -220,10 +130,7 @@ static bool write_all(const lobe_case *self, const lobe_fit_request *request)
             lobe_atomic_abandon(&file);
     }
     lobe_capsule_cells_free(&held);
-    for (i = 0; i < 2; i++) {
-        free(regions[i].rows);
-        free(regions[i].truth);
-    }
+    lobe_regions_free(regions);
     return good;
 }
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../fit/atomic_file.h"
-#include "../fit/coefficients.h"
+#include "../fit/bound_header.h"
 #include "../fit/emit.h"
 #include "../fit/random.h"
 #include "closed_form.h"
@@ -75,29 +75,6 @@ static measured measure(const lobe_diffuse_shipped *s)
     return m;
 }
 
-/* Three significant digits, never less than x. */
-static double rounded_up(double x)
-{
-    char text[40];
-    double unit;
-    if (!(x > 0))
-        return 0;
-    unit = pow(10, floor(log10(x)) - 2);
-    snprintf(text, sizeof text, "%.2e", ceil(x / unit * (1 - 1e-12)) * unit);
-    return atof(text);
-}
-
-static void put(FILE *f, const lobe_diffuse_shipped *s, int with_format, const char *suffix, double x)
-{
-    fputs("#define LOBE_DIFFUSE_SH_", f);
-    lobe_put_upper(f, s->tier);
-    if (with_format) {
-        fputc('_', f);
-        lobe_put_upper(f, s->format);
-    }
-    fprintf(f, "_%s %.3g\n", suffix, x);
-}
-
 static bool put_tier(FILE *f, const lobe_diffuse_shipped *s)
 {
     const measured m = measure(s);
@@ -106,18 +83,18 @@ static bool put_tier(FILE *f, const lobe_diffuse_shipped *s)
     if (strcmp(s->format, "f32") == 0) {
         if (!s->constant && lobe_emit_count("diffuse_sh", s->tier, &count) != 0)
             return false;
-        put(f, s, 0, "OPS", count.fused);
-        put(f, s, 0, "DOMAIN_LO", 0);
+        lobe_put_bound(f, "diffuse_sh", s->tier, NULL, "OPS", count.fused);
+        lobe_put_bound(f, "diffuse_sh", s->tier, NULL, "DOMAIN_LO", 0);
     }
     fprintf(f, "/* %s, %s: max %.6e in c%d at %.9g %.9g, rms %.6e;\n", s->tier, s->format, m.max, m.coefficient,
             m.at[0], m.at[1], m.rms);
     fprintf(f, " *   light rms %.4e, at the worst point %.4e; furnace rms %.4e, max %.4e */\n", score.light,
             score.light_max, score.furnace_rms, score.furnace_max);
-    put(f, s, 1, "MAX", rounded_up(m.max));
-    put(f, s, 1, "RMS", rounded_up(m.rms));
-    put(f, s, 1, "LIGHT", rounded_up(score.light));
-    put(f, s, 1, "FURNACE_RMS", rounded_up(score.furnace_rms));
-    put(f, s, 1, "FURNACE_MAX", rounded_up(score.furnace_max));
+    lobe_put_bound(f, "diffuse_sh", s->tier, s->format, "MAX", lobe_rounded_up(m.max));
+    lobe_put_bound(f, "diffuse_sh", s->tier, s->format, "RMS", lobe_rounded_up(m.rms));
+    lobe_put_bound(f, "diffuse_sh", s->tier, s->format, "LIGHT", lobe_rounded_up(score.light));
+    lobe_put_bound(f, "diffuse_sh", s->tier, s->format, "FURNACE_RMS", lobe_rounded_up(score.furnace_rms));
+    lobe_put_bound(f, "diffuse_sh", s->tier, s->format, "FURNACE_MAX", lobe_rounded_up(score.furnace_max));
     return true;
 }
 

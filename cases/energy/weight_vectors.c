@@ -1,19 +1,20 @@
 #include "weight_vectors.h"
 #include "../split_sum/points.h"
 #include "../split_sum/truth_split_sum.h"
-#include "../../models/coeffs/energy_bounds.h"
+#include "../../models/coeffs/env_lobes_bounds.h"
+#include "../../models/coeffs/env_lobes_sg_bounds.h"
 
-/* The albedo is energy's high; a sum of eight numbers in f32, or in Q16.16 the half unit of one, adds to its error. */
-#define SUMMED 1e-5
-#define ROW(model, tier, format, FORMAT)                                                                               \
+#define ROW(model, tier, format, prefix, suffix)                                                                       \
     {                                                                                                                  \
-        model, tier, format, LOBE_ENERGY_HIGH_DOMAIN_LO, LOBE_ENERGY_HIGH_##FORMAT##_MAX + SUMMED,                     \
-            LOBE_ENERGY_HIGH_##FORMAT##_RMS + SUMMED, LOBE_ENERGY_HIGH_##FORMAT##_BELOW_MAX + SUMMED, 0, 0             \
+        model, tier, format, prefix##_DOMAIN_LO, prefix##_##suffix##_MAX, prefix##_##suffix##_RMS,                     \
+            prefix##_##suffix##_BELOW_MAX, 0, 0                                                                        \
     }
-#define TIER(model, tier) ROW(model, tier, "f32", F32), ROW(model, tier, "q30", Q30)
-#define MODEL(model) TIER(model, "lobes1"), TIER(model, "lobes2"), TIER(model, "lobes4"), TIER(model, "lobes8")
-
-static const lobe_tier_bounds rows[] = {MODEL("env_lobes"), MODEL("env_lobes_sg")};
+#define ENV(model, tier, prefix, kernel, taps)                                                                         \
+    ROW(#model, #tier, "f32", prefix, F32), ROW(#model, #tier, "q30", prefix, Q30),
+#define ENV_SG ENV
+static const lobe_tier_bounds rows[] = {
+#include "../env_lobes/tier_rows.h"
+};
 enum { ROWS = sizeof rows / sizeof rows[0], VECTOR_ROWS = 256 };
 
 #define COLUMNS(model, vector_set)                                                                                     \

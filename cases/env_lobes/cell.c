@@ -34,7 +34,8 @@ static double dot(const double *a, const double *b, int n)
 static void spread(const lobe_cell *c, double angle, double log_t, double *out, double *by_angle, double *by_log_t)
 {
     const double t = exp(log_t);
-    lobe_orientations_tap(c->options->orientations, angle, t, out, by_angle, by_log_t);
+    if (c->samples)
+        lobe_orientations_tap(c->options->orientations, angle, t, out, by_angle, by_log_t);
     lobe_sphere_norm_tap(c->norm, angle, t, out + c->samples, by_angle ? by_angle + c->samples : NULL,
                          by_log_t ? by_log_t + c->samples : NULL);
     for (int i = 0; i < c->all; i++)
@@ -43,6 +44,14 @@ static void spread(const lobe_cell *c, double angle, double log_t, double *out, 
         by_angle[i] *= c->scale[i];
         by_log_t[i] *= c->scale[i];
     }
+}
+
+/* Radiance in every sample; of a node its solid angle becomes the level that it looks at. */
+static void integrate(const lobe_cell *c, double *nodes, int count, double *out)
+{
+    for (int i = 0; i < count; i++)
+        nodes[5 * i + 4] = lobe_blurred_cubes_level(nodes[5 * i + 4]);
+    lobe_orientations_integrate(c->options->orientations, nodes, count, out);
 }
 
 /* The response in every sample, over its albedo; then what is dark is divided by a part of the mean. */
@@ -54,11 +63,9 @@ static void prepare_samples(lobe_cell *c, double *nodes)
     double albedo = 0;
     for (int i = 0; i < count; i++)
         albedo += nodes[5 * i + 3];
-    for (int i = 0; i < count; i++) {
+    for (int i = 0; i < count; i++)
         nodes[5 * i + 3] /= albedo;
-        nodes[5 * i + 4] = lobe_blurred_cubes_level(nodes[5 * i + 4]);
-    }
-    lobe_orientations_integrate(o, nodes, count, c->target);
+    integrate(c, nodes, count, c->target);
     for (int e = 0; e < o->environments; e++) {
         double mean = 0;
         for (int i = e * each; i < (e + 1) * each; i++)
@@ -118,7 +125,8 @@ static void make_basis(lobe_cell *c, double *v)
 lobe_cell *lobe_cell_new(double alpha, double n_dot_v, const lobe_cell_options *options)
 {
     lobe_cell *c = calloc(1, sizeof *c);
-    const size_t samples = (size_t)options->orientations->count, all = samples + LOBE_SPHERE_VALUES;
+    const size_t samples = options->orientations ? (size_t)options->orientations->count : 0,
+                 all = samples + LOBE_SPHERE_VALUES;
     double *room = malloc(sizeof *room * (5 * (size_t)options->order * (size_t)options->order + all * CANDIDATES));
     if (c) {
         c->alpha = alpha;
@@ -136,7 +144,8 @@ lobe_cell *lobe_cell_new(double alpha, double n_dot_v, const lobe_cell_options *
     }
     c->target = c->scale + all;
     c->basis = c->target + all;
-    prepare_samples(c, room);
+    if (samples)
+        prepare_samples(c, room);
     prepare_norm(c);
     if (!options->judge)
         make_basis(c, room);
@@ -192,4 +201,24 @@ void lobe_cell_errors(const lobe_cell *cell, const lobe_cell_tap *taps, int coun
         const int end = k == 0 ? cell->samples : first + LOBE_SPHERE_POINTS;
         error[k] = dot(rest + first, rest + first, end - first) / cell->options->share[k];
     }
+}
+
+/* Of `count` values from `first` on. */
+static double node_error(const lobe_cell *cell, int first, int count, double *value, lobe_cell_part part)
+{
+    for (int i = 0; i < count; i++)
+        value[i] = cell->target[first + i] - cell->scale[first + i] * value[i];
+    return dot(value, value, count) / cell->options->share[part];
+}
+
+double lobe_cell_samples_error(const lobe_cell *cell, double *nodes, int count, double *scratch)
+{
+    integrate(cell, nodes, count, scratch);
+    return node_error(cell, 0, cell->samples, scratch, LOBE_CELL_SAMPLES);
+}
+
+double lobe_cell_spectra_error(const lobe_cell *cell, const double *nodes, int count, double *scratch)
+{
+    lobe_sphere_norm_nodes(cell->norm, nodes, count, scratch);
+    return node_error(cell, cell->samples, LOBE_SPHERE_POINTS, scratch, LOBE_CELL_SPECTRA);
 }

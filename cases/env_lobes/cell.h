@@ -18,11 +18,11 @@ typedef struct lobe_cell_tap {
 } lobe_cell_tap;
 
 typedef struct lobe_cell_options {
-    const lobe_orientations *orientations;
+    const lobe_orientations *orientations; /* NULL: no samples */
     const lobe_sphere_kernels *kernels;
     const lobe_env_spectrum *spectra;
-    int spectrum_count;
-    double share[LOBE_CELL_PARTS]; /* weights of the parts */
+    int spectrum_count;            /* 0: no spectra */
+    double share[LOBE_CELL_PARTS]; /* weights of the parts; of what is left out, 0 */
     double dark; /* a truth below this part of the mean over its environment counts as if it were it */
     int order;   /* of the nodes for the truth, visible_normals.h */
     int judge;   /* not 0: errors alone are asked for, no residuals, which spares the projection */
@@ -43,5 +43,10 @@ void lobe_cell_residuals(const lobe_cell *cell, const lobe_cell_tap *taps, int c
 /* The parts without their weights, before projection. */
 void lobe_cell_errors(const lobe_cell *cell, const lobe_cell_tap *taps, int count, double *scratch,
                       double error[LOBE_CELL_PARTS]);
+
+/* Two of them for any lobe by a quadrature of it, rows as of lobe_visible_nodes, whose last column the first writes to.
+ */
+double lobe_cell_samples_error(const lobe_cell *cell, double *nodes, int count, double *scratch);
+double lobe_cell_spectra_error(const lobe_cell *cell, const double *nodes, int count, double *scratch);
 
 #endif

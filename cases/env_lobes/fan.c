@@ -37,3 +37,9 @@ void lobe_fan_taps(const lobe_fan_point *point, const double *p, int taps, lobe_
             growth[i] = power / (0.3 + power) * 0.69314718055994531;
     }
 }
+
+void lobe_fan_free_taps(const lobe_fan_point *point, const double *p, int taps, lobe_cell_tap *out, double *growth)
+{
+    lobe_fan_taps(point, p, taps, out, growth);
+    out[taps - 1].weight = sum(point, p + lobe_fan_first(taps - 1, 2));
+}

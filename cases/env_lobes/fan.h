@@ -19,4 +19,7 @@ int lobe_fan_first(int tap, int quantity); /* quantity 0: shift, 1: width, 2: pa
 /* growth, unless NULL: of each tap the derivative of ln t by its width's sum. */
 void lobe_fan_taps(const lobe_fan_point *point, const double *p, int taps, lobe_cell_tap *out, double *growth);
 
+/* The same where the last tap has a part of its own too, LOBE_FAN_TERMS coefficients more: the energy is free. */
+void lobe_fan_free_taps(const lobe_fan_point *point, const double *p, int taps, lobe_cell_tap *out, double *growth);
+
 #endif

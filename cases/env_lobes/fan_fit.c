@@ -30,7 +30,7 @@ static void ask_cells(void *ctx, const double *params, size_t count, double *val
         const double weight = sqrt(t->weight[c]);
         double *out = values + i * width, growth[LOBE_CELL_TAPS];
         lobe_cell_tap taps[LOBE_CELL_TAPS];
-        lobe_fan_taps(&q->point[c], q->p, q->taps, taps, growth);
+        (q->fit->free_energy ? lobe_fan_free_taps : lobe_fan_taps)(&q->point[c], q->p, q->taps, taps, growth);
         lobe_cell_residuals(t->cell[c], taps, q->taps, scratch, out, q->slopes ? out + ROWS : NULL);
         for (int k = 0; k < (q->slopes ? 1 + 3 * q->taps : 1); k++) {
             const int tap = (k - 1) / 3;
@@ -52,11 +52,13 @@ static void ask(problem *q, const double *p, bool slopes, double *values)
     lobe_parallel_eval(&parallel, q->number, CELLS, values);
 }
 
+static int count_of(const lobe_fan_fit *fit, int taps) { return lobe_fan_count(taps) + (fit->free_energy ? TERMS : 0); }
+
 static void residuals(void *ctx, const double *params, size_t count, double *values)
 {
     problem *q = ctx;
     for (size_t i = 0; i < count; i++)
-        ask(q, params + i * (size_t)lobe_fan_count(q->taps), false, values + i * CELLS * ROWS);
+        ask(q, params + i * (size_t)count_of(q->fit, q->taps), false, values + i * CELLS * ROWS);
 }
 
 static void jacobian(void *ctx, const double *params, double *transposed)
@@ -64,7 +66,7 @@ static void jacobian(void *ctx, const double *params, double *transposed)
     problem *q = ctx;
     const int last = 3 * (q->taps - 1) + 2;
     ask(q, params, true, q->block);
-    for (int k = 0; k < 3 * q->taps - 1; k++)
+    for (int k = 0; k < (q->fit->free_energy ? last + 1 : last); k++)
         for (int c = 0; c < CELLS; c++) {
             const double *slope = q->block + (c * COLUMNS + 1 + k) * ROWS;
             const double *rest = q->block + (c * COLUMNS + 1 + last) * ROWS;
@@ -72,7 +74,7 @@ static void jacobian(void *ctx, const double *params, double *transposed)
                 double *out = transposed + ((size_t)(TERMS * k + i) * CELLS + (size_t)c) * ROWS;
                 const double term = q->point[c].term[i];
                 for (int b = 0; b < ROWS; b++)
-                    out[b] = term * (slope[b] - (k % 3 == 2 ? rest[b] : 0));
+                    out[b] = term * (slope[b] - (k % 3 == 2 && !q->fit->free_energy ? rest[b] : 0));
             }
         }
 }
@@ -100,7 +102,7 @@ lobe_fit_result lobe_fan_improve(lobe_fan_fit *fit, int taps, int budget, double
     r.f = residuals;
     r.jacobian = jacobian;
     r.ctx = q;
-    r.dim = (size_t)lobe_fan_count(taps);
+    r.dim = (size_t)count_of(fit, taps);
     r.rows = CELLS * ROWS;
     o.budget = (size_t)budget;
     o.ridge = 1e-9;

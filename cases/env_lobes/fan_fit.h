@@ -1,6 +1,7 @@
 /* Fits fans of 1, 2, 4 and 8 taps to a training set. */
 #ifndef LOBE_ENV_FAN_FIT_H
 #define LOBE_ENV_FAN_FIT_H
+#include <stdbool.h>
 #include "../fit/status.h"
 #include "../fit/progress.h"
 #include "fan.h"
@@ -10,6 +11,7 @@ typedef struct lobe_fan_fit {
     const lobe_training *training;
     int threads;
     lobe_progress_line line;
+    bool free_energy; /* weights need not sum to 1: p has LOBE_FAN_TERMS more (fan.h); improve alone knows of it */
 } lobe_fan_fit;
 
 /* Levenberg-Marquardt from p; at most `budget` evaluations. The value is the objective. */

@@ -4,7 +4,9 @@
 #include <string.h>
 #include "../fit/coefficients.h"
 #include "../fit/fit_command.h"
+#include "adaptive_tier.h"
 #include "fan_fit.h"
+#include "table_tier.h"
 
 enum { TIERS = 4, FEW = 2 };
 
@@ -20,11 +22,14 @@ static struct {
     lobe_training *few; /* for tiers below FEW, which are improved from their place in the chain */
     double p[TIERS][LOBE_FAN_MOST];
     int made;
+    double written[TIERS][LOBE_FAN_MOST]; /* what tables start from */
+    bool is_written[TIERS];
+    lobe_env_table_training *tables;
 } chain;
 
 static bool make_chain(const lobe_fit_request *request, int tiers)
 {
-    lobe_fan_fit fit = {NULL, request->sweep.threads, lobe_progress_line_default()};
+    lobe_fan_fit fit = {NULL, request->sweep.threads, lobe_progress_line_default(), false};
     fit.line.out = request->sweep.progress ? stderr : NULL;
     if (!chain.training)
         chain.training = lobe_training_new(SPECTRA, request->sweep.threads);
@@ -51,7 +56,7 @@ static bool make_chain(const lobe_fit_request *request, int tiers)
 
 static bool improve_few(const lobe_fit_request *request, int taps, double *p)
 {
-    lobe_fan_fit fit = {NULL, request->sweep.threads, lobe_progress_line_default()};
+    lobe_fan_fit fit = {NULL, request->sweep.threads, lobe_progress_line_default(), false};
     lobe_fit_result result;
     fit.line.out = request->sweep.progress ? stderr : NULL;
     if (!chain.few)
@@ -77,7 +82,7 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, int
 {
     const int taps = 1 << index;
     lobe_coefficients out = {0};
-    lobe_fan_fit fit = {NULL, 1, lobe_progress_line_default()};
+    lobe_fan_fit fit = {NULL, 1, lobe_progress_line_default(), false};
     char name[16], kernel[40], source[40], error[160];
     double part[LOBE_CELL_PARTS], p[LOBE_FAN_MOST];
     if (!make_chain(request, index + 1))
@@ -105,21 +110,62 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, int
     out.source = source;
     out.values = p;
     out.count = (size_t)lobe_fan_count(taps);
-    return lobe_coefficients_write(&out, request->coeffs);
+    memcpy(chain.written[index], p, sizeof p);
+    chain.is_written[index] = lobe_coefficients_write(&out, request->coeffs);
+    return chain.is_written[index];
+}
+
+/* From the closed form that this command wrote; from the one that ships where it was asked for the table alone. */
+static bool fit_table(const lobe_case *self, const lobe_fit_request *request, int index)
+{
+    const int taps = 1 << index, threads = request->sweep.threads;
+    double p[LOBE_FAN_MOST] = {0};
+    if (chain.is_written[index])
+        memcpy(p, chain.written[index], sizeof p);
+    else
+        lobe_env_table_shipped(taps, p);
+    if (!chain.tables)
+        chain.tables = lobe_env_table_training_new(threads);
+    if (!chain.tables ||
+        !lobe_env_table_training_weigh(chain.tables, index < FEW ? SPECTRA_OF_FEW : SPECTRA, threads)) {
+        fputs("lobefit: fit: not enough memory\n", stderr);
+        return false;
+    }
+    return lobe_env_table_tier(self, request, chain.tables, taps, p);
+}
+
+/* Its first need is made from the other tiers: those that this command wrote, else those that ship. */
+static bool fit_adaptive(const lobe_case *self, const lobe_fit_request *request)
+{
+    lobe_adaptive_tiers tiers;
+    for (int i = 0; i < TIERS; i++) {
+        if (chain.is_written[i])
+            memcpy(tiers.p[i], chain.written[i], sizeof tiers.p[i]);
+        else
+            lobe_env_table_shipped(1 << i, tiers.p[i]);
+    }
+    return lobe_env_adaptive_tier(self, request, &tiers);
 }
 
 static bool fit1(const lobe_case *self, const lobe_fit_request *request) { return fit_tier(self, request, 0); }
 static bool fit2(const lobe_case *self, const lobe_fit_request *request) { return fit_tier(self, request, 1); }
 static bool fit4(const lobe_case *self, const lobe_fit_request *request) { return fit_tier(self, request, 2); }
 static bool fit8(const lobe_case *self, const lobe_fit_request *request) { return fit_tier(self, request, 3); }
+static bool table1(const lobe_case *self, const lobe_fit_request *request) { return fit_table(self, request, 0); }
+static bool table2(const lobe_case *self, const lobe_fit_request *request) { return fit_table(self, request, 1); }
+static bool table4(const lobe_case *self, const lobe_fit_request *request) { return fit_table(self, request, 2); }
+static bool table8(const lobe_case *self, const lobe_fit_request *request) { return fit_table(self, request, 3); }
 
 int lobe_env_lobes_fit(const lobe_case *self, int argc, char **argv)
 {
-    static const lobe_fit_tier all[TIERS] = {{"lobes1", fit1}, {"lobes2", fit2}, {"lobes4", fit4}, {"lobes8", fit8}};
-    const int status = lobe_fit_command(self, all, TIERS, argc, argv);
+    static const lobe_fit_tier all[2 * TIERS + 1] = {
+        {"lobes1", fit1},           {"lobes2", fit2},           {"lobes4", fit4},
+        {"lobes8", fit8},           {"lobes1_table16", table1}, {"lobes2_table16", table2},
+        {"lobes4_table16", table4}, {"lobes8_table16", table8}, {"adaptive", fit_adaptive}};
+    const int status = lobe_fit_command(self, all, 2 * TIERS + 1, argc, argv);
+    lobe_env_table_training_free(chain.tables);
     lobe_training_free(chain.training);
     lobe_training_free(chain.few);
-    chain.training = chain.few = NULL;
-    chain.made = 0;
+    memset(&chain, 0, sizeof chain);
     return status;
 }

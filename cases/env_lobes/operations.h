@@ -10,6 +10,12 @@ extern "C" {
  * is no such tier. */
 int lobe_env_operations(int gaussian, int lobes);
 
+/* Of the tier whose number of taps follows a need, all six of them and the count. */
+int lobe_env_adaptive_operations(void);
+
+/* Of a table of env_lobes with that many lobes: coordinates, interpolation of what is read at four nodes, and taps. */
+int lobe_env_table_operations(int lobes);
+
 #if defined(__cplusplus)
 }
 #endif

@@ -12,6 +12,8 @@ typedef struct scene {
     double alpha, n_dot_v, albedo;
     const lobe_cell_tap *taps;
     int count;
+    lobe_sphere_fn *lobe; /* NULL: the taps */
+    void *ctx;
 } scene;
 
 static double response(const scene *s, const double d[3]) { return lobe_response(s->alpha, s->n_dot_v, d) / s->albedo; }
@@ -25,7 +27,7 @@ static double one(void *ctx, const double d[3])
 
 static scene scene_of(double alpha, double n_dot_v, const lobe_cell_tap *taps, int count)
 {
-    const scene s = {alpha, n_dot_v, lobe_visible_integral(alpha, n_dot_v, 128, one, NULL), taps, count};
+    const scene s = {alpha, n_dot_v, lobe_visible_integral(alpha, n_dot_v, 128, one, NULL), taps, count, NULL, NULL};
     return s;
 }
 
@@ -36,7 +38,7 @@ static double along(const lobe_cell_tap *tap, const double d[3])
 
 static double difference(const scene *s, const double d[3])
 {
-    double value = response(s, d);
+    double value = response(s, d) - (s->lobe ? s->lobe(s->ctx, d) : 0);
     for (int i = 0; i < s->count; i++)
         value -= s->taps[i].weight * lobe_prefilter_kernel(exp(s->taps[i].log_t), along(&s->taps[i], d));
     return value;
@@ -54,11 +56,24 @@ static double square_of_response(void *ctx, const double d[3])
     return x * x;
 }
 
+static double error_of(scene *s)
+{
+    const double rough = lobe_cubature(square_of_response, s, 1e-2), tolerance = 1e-5 * rough;
+    return sqrt(lobe_cubature(square_of_difference, s, tolerance) / lobe_cubature(square_of_response, s, tolerance));
+}
+
 double lobe_shape_error(double alpha, double n_dot_v, const lobe_cell_tap *taps, int count)
 {
     scene s = scene_of(alpha, n_dot_v, taps, count);
-    const double rough = lobe_cubature(square_of_response, &s, 1e-2), tolerance = 1e-5 * rough;
-    return sqrt(lobe_cubature(square_of_difference, &s, tolerance) / lobe_cubature(square_of_response, &s, tolerance));
+    return error_of(&s);
+}
+
+double lobe_shape_error_of(double alpha, double n_dot_v, lobe_sphere_fn *lobe, void *ctx)
+{
+    scene s = scene_of(alpha, n_dot_v, NULL, 0);
+    s.lobe = lobe;
+    s.ctx = ctx;
+    return error_of(&s);
 }
 
 double lobe_shape_error_sampled(double alpha, double n_dot_v, const lobe_cell_tap *taps, int count, int samples)

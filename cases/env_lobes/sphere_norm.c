@@ -24,6 +24,7 @@ struct lobe_sphere_norm {
     double shape;                                /* amplitude of the shape at the points */
     double at[POINTS][3], root_weight[POINTS];   /* quadrature over the sphere, y > 0 */
     double blurred[(CHORDS + 2) * (WIDTHS + 2)]; /* kernels, a spline over both */
+    double band[LOBE_ENV_BANDS];                 /* the blur */
     double target[LOBE_SPHERE_VALUES];
 };
 
@@ -93,9 +94,9 @@ static void place_points(lobe_sphere_norm *s, const double *nodes, int count)
         }
 }
 
-/* The response under several blurs: out[blur * stride + point]. */
-static void blur_response(const lobe_sphere_norm *s, const double *nodes, int count, double band[][LOBE_ENV_BANDS],
-                          int blurs, double *out)
+/* A lobe, by a quadrature of it, under several blurs: out[blur * stride + point]. */
+static void blur_nodes(const lobe_sphere_norm *s, const double *nodes, int count, double band[][LOBE_ENV_BANDS],
+                       int blurs, double *out)
 {
     double table[(FINE + 2) * MOST];
     for (int i = 0; i < FINE; i++) {
@@ -151,7 +152,7 @@ static void mean_power(const lobe_sphere_norm *s, const lobe_env_spectrum *spect
     memset(power, 0, sizeof *power * LOBE_ENV_BANDS);
     for (int e = 0; e < spectrum_count; e++)
         blur_bands(s->alpha, spectra[e].power, band[e]);
-    blur_response(s, nodes, count, band, spectrum_count, value);
+    blur_nodes(s, nodes, count, band, spectrum_count, value);
     for (int e = 0; e < spectrum_count; e++) {
         double energy = 0;
         for (int j = 0; j < POINTS; j++)
@@ -178,8 +179,7 @@ lobe_sphere_norm *lobe_sphere_norm_new(double alpha, double n_dot_v, const lobe_
                                        const lobe_env_spectrum *spectra, int spectrum_count)
 {
     lobe_sphere_norm *s = calloc(1, sizeof *s);
-    double *nodes = malloc(sizeof *nodes * 5 * ORDER * ORDER), power[LOBE_ENV_BANDS], band[1][LOBE_ENV_BANDS];
-    double albedo = 0;
+    double *nodes = malloc(sizeof *nodes * 5 * ORDER * ORDER), power[LOBE_ENV_BANDS], albedo = 0;
     int count;
     if (!s || !nodes) {
         free(s);
@@ -195,15 +195,22 @@ lobe_sphere_norm *lobe_sphere_norm_new(double alpha, double n_dot_v, const lobe_
         nodes[5 * i + 3] /= albedo;
     place_points(s, nodes, count);
     mean_power(s, spectra, spectrum_count, nodes, count, power);
-    blur_bands(alpha, power, band[0]);
-    blur_response(s, nodes, count, band, 1, s->target);
-    blur_kernels(s, kernels, band[0]);
+    blur_bands(alpha, power, s->band);
+    blur_nodes(s, nodes, count, &s->band, 1, s->target);
+    blur_kernels(s, kernels, s->band);
     add_shape(s, albedo);
     free(nodes);
     return s;
 }
 
 void lobe_sphere_norm_free(lobe_sphere_norm *norm) { free(norm); }
+
+void lobe_sphere_norm_nodes(const lobe_sphere_norm *norm, const double *nodes, int count, double *out)
+{
+    double band[1][LOBE_ENV_BANDS];
+    memcpy(band[0], norm->band, sizeof band[0]);
+    blur_nodes(norm, nodes, count, band, 1, out);
+}
 
 const double *lobe_sphere_norm_target(const lobe_sphere_norm *norm) { return norm->target; }
 

@@ -32,4 +32,7 @@ const double *lobe_sphere_norm_target(const lobe_sphere_norm *norm);
 void lobe_sphere_norm_tap(const lobe_sphere_norm *norm, double angle, double t, double *out, double *by_angle,
                           double *by_log_t);
 
+/* LOBE_SPHERE_POINTS of any lobe under the spectra, by a quadrature of it: rows as of lobe_visible_nodes. */
+void lobe_sphere_norm_nodes(const lobe_sphere_norm *norm, const double *nodes, int count, double *out);
+
 #endif

@@ -26,16 +26,25 @@ void lobe_sg_fan_lobes(const lobe_sg_fan *fan, int count, double energy, lobe_sg
     normalise(lobes, count, energy);
 }
 
+void lobe_sg_weigh_printed(lobe_sg *lobes, int count, double energy)
+{
+    const double spread = 0.5 * (lobes[count - 1].angle - lobes[0].angle);
+    int i;
+    for (i = 0; i < count; i++) {
+        const double number = i - 0.5 * (count - 1), square = number * number;
+        lobes[i].weight = exp(-spread / 3 * square * square);
+    }
+    normalise(lobes, count, energy);
+}
+
 void lobe_sg_fan_printed(const lobe_sg_fan *fan, int count, double energy, lobe_sg *lobes)
 {
     int i;
     for (i = 0; i < count; i++) {
-        const double number = i - 0.5 * (count - 1), square = number * number;
         lobes[i].angle = fan->centre + fan->spread * place(i, count);
         lobes[i].sharpness = fan->sharpness;
-        lobes[i].weight = exp(-fan->spread / 3 * square * square);
     }
-    normalise(lobes, count, energy);
+    lobe_sg_weigh_printed(lobes, count, energy);
 }
 
 lobe_sg_fan lobe_sg_fan_start(double alpha, double n_dot_v)

@@ -29,6 +29,9 @@ void lobe_sg_fan_lobes(const lobe_sg_fan *fan, int count, double energy, lobe_sg
  * middle: quartic in the number, and without a width of its own. A star on the charts. */
 void lobe_sg_fan_printed(const lobe_sg_fan *fan, int count, double energy, lobe_sg *lobes);
 
+/* Those weights for lobes that have their places already, evenly spaced. */
+void lobe_sg_weigh_printed(lobe_sg *lobes, int count, double energy);
+
 /* Where every fit starts: the mirror direction, the curvature of GGX at its peak, and a fan as wide as alpha. */
 lobe_sg_fan lobe_sg_fan_start(double alpha, double n_dot_v);
 

@@ -22,6 +22,13 @@ static int seed(const void *ctx, double alpha, double n_dot_v, double energy, lo
     return LOBE_SG_MOST;
 }
 
+static int printed(const void *ctx, double alpha, double n_dot_v, double energy, lobe_sg *lobes)
+{
+    lobe_sg_lobes_at(alpha, n_dot_v, ctx, LOBE_SG_MOST, energy, lobes);
+    lobe_sg_weigh_printed(lobes, LOBE_SG_MOST, energy);
+    return LOBE_SG_MOST;
+}
+
 static bool put(FILE *out, const char *name, int lobes, const lobe_sg_scenes *s, const lobe_env_spectrum *spectra,
                 lobe_sg_model model, const void *ctx, double split)
 {
@@ -42,18 +49,22 @@ static bool write_rows(FILE *out, const lobe_sweep_options *sweep)
     static const int counts[] = {1, 2, 4, 8};
     lobe_env_spectrum spectra[LOBE_SG_HELD];
     lobe_sg_scenes s = {0};
-    double c[LOBE_SG_COEFFICIENTS], radiance, shape, split = -1;
+    double c[LOBE_SG_COEFFICIENTS], star[LOBE_SG_COEFFICIENTS], radiance, shape, split = -1;
     size_t i;
     bool good = lobe_sg_lights_held(spectra) &&
                 lobe_sg_scenes_make(&s, true, spectra, LOBE_SG_HELD, 0, sweep->threads) &&
-                lobe_env_sg_solve(LOBE_SG_MOST, SEED_HELD, sweep, c, &radiance, &shape) == 0;
+                lobe_env_sg_solve(LOBE_SG_MOST, SEED_HELD, sweep, c, &radiance, &shape) == 0 &&
+                lobe_env_sg_solve(LOBE_SG_MOST, SEED_HELD | 1u << LOBE_SG_TAPER | LOBE_SG_PRINTED, sweep, star,
+                                  &radiance, &shape) == 0;
     if (good)
         split = lobe_sg_scenes_error(&s, spectra, LOBE_SG_HELD, lobe_sg_split_sum, NULL, NULL, NULL);
     fputs("# relative rms of radiance over 30 points and all orientations; the last five by environment\n"
           "model,lobes,radiance,of_split_sum,shape,sky,lamps,checker,clouds,texel\n",
           out);
-    good = good && split > 0 && put(out, "split sum", 0, &s, spectra, lobe_sg_split_sum, NULL, split) &&
-           put(out, "seed paper's two layers, refitted", LOBE_SG_MOST, &s, spectra, seed, c, split);
+    good =
+        good && split > 0 && put(out, "split sum", 0, &s, spectra, lobe_sg_split_sum, NULL, split) &&
+        put(out, "seed paper's two layers, refitted", LOBE_SG_MOST, &s, spectra, seed, c, split) &&
+        put(out, "the same with the amplitude as printed (quartic)", LOBE_SG_MOST, &s, spectra, printed, star, split);
     for (i = 0; good && i < sizeof counts / sizeof counts[0]; i++)
         good = put(out, "env_lobes_sg", counts[i], &s, spectra, shipped, &counts[i], split);
     lobe_sg_scenes_free(&s);

@@ -85,24 +85,39 @@ static void at_sharpness(const float *rows, double sharpness, double *table)
                    w[3] * (double)row[k + 3 * ANGLES];
 }
 
-/* Mean square radiance of the target. A sum over pairs of nodes takes the gaps between them for structure of the lobe,
- * and white light would see it: bands that the lobe has nothing in are left out. */
-static double own_square(const lobe_sg_target *t, const double *power)
+/* Mean square radiance of the target under every light. A sum over pairs of nodes takes the gaps between them for
+ * structure of the lobe, and white light would see it: bands that the lobe has nothing in are left out. */
+static bool own_squares(const lobe_sg_target *t, const lobe_env_spectrum *spectra, int lights, double *square)
 {
-    double band[LOBE_ENV_BANDS], table[ANGLES], sum = 0;
+    double band[LOBE_ENV_BANDS], table[ANGLES], sum[LOBE_SG_LIGHTS] = {0};
+    double(*tables)[LOBE_SG_LIGHTS] = calloc(ANGLES, sizeof *tables);
+    const bool good = tables != NULL;
     size_t i, j;
-    int l;
-    for (l = 0; l < LOBE_ENV_BANDS; l++)
-        band[l] = power[l] * (2 * l + 1) / (4 * LOBE_PI) * exp(-pow(0.06 * t->alpha * l, 4));
-    correlate(band, table);
-    for (i = 0; i < t->count; i++) {
+    int e, l;
+    for (e = 0; good && e < lights; e++) {
+        for (l = 0; l < LOBE_ENV_BANDS; l++)
+            band[l] = spectra[e].power[l] * (2 * l + 1) / (4 * LOBE_PI) * exp(-pow(0.06 * t->alpha * l, 4));
+        correlate(band, table);
+        for (l = 0; l < ANGLES; l++)
+            tables[l][e] = table[l];
+    }
+    for (i = 0; good && i < t->count; i++) {
         const double *a = t->nodes + 4 * i;
         for (j = 0; j <= i; j++) {
             const double *b = t->nodes + 4 * j, plane = a[0] * b[0] + a[2] * b[2], across = a[1] * b[1];
-            sum += (i == j ? 0.5 : 1) * a[3] * b[3] * (look(table, plane + across) + look(table, plane - across));
+            const double both = (i == j ? 0.5 : 1) * a[3] * b[3];
+            double u[4], w[4];
+            const double(*x)[LOBE_SG_LIGHTS] = tables + angle_weights(plane + across, u);
+            const double(*y)[LOBE_SG_LIGHTS] = tables + angle_weights(plane - across, w);
+            for (e = 0; e < lights; e++)
+                sum[e] += both * ((u[0] * x[0][e] + u[1] * x[1][e] + u[2] * x[2][e] + u[3] * x[3][e]) +
+                                  (w[0] * y[0][e] + w[1] * y[1][e] + w[2] * y[2][e] + w[3] * y[3][e]));
         }
     }
-    return sum;
+    for (e = 0; e < lights; e++)
+        square[e] = sum[e];
+    free(tables);
+    return good;
 }
 
 static double cross(const lobe_sg_target *t, const double *table, double angle)
@@ -162,15 +177,14 @@ bool lobe_sg_scene_make(lobe_sg_scene *s, double alpha, double n_dot_v, int orde
     int e, l;
     memset(s, 0, sizeof *s);
     s->shape = shape;
-    if (!lobe_sg_target_make(&s->target, alpha, n_dot_v, order))
+    if (!lobe_sg_target_make(&s->target, alpha, n_dot_v, order) ||
+        !own_squares(&s->target, spectra, lights, s->light_square))
         return false;
     for (l = 0; l < LOBE_ENV_BANDS; l++)
         s->power[l] = shape / s->target.power;
-    for (e = 0; e < lights; e++) {
-        s->light_square[e] = own_square(&s->target, spectra[e].power);
+    for (e = 0; e < lights; e++)
         for (l = 0; l < LOBE_ENV_BANDS; l++)
             s->power[l] += spectra[e].power[l] / (s->light_square[e] * lights);
-    }
     return fill_tables(s);
 }
 

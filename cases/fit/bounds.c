@@ -2,11 +2,9 @@
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-#include "../split_sum/shipped.h"
 #include "atomic_file.h"
-#include "coefficients.h"
+#include "bound_header.h"
 #include "emit.h"
-#include "fit_command.h"
 #include "judge_points.h"
 #include "truth_cache.h"
 
@@ -97,31 +95,6 @@ static measured measure(const lobe_case *c, const lobe_shipped *s, const region 
     return out;
 }
 
-/* Three significant digits, never less than x. */
-static double rounded_up(double x)
-{
-    char text[40];
-    double unit;
-    if (!(x > 0))
-        return 0;
-    unit = pow(10, floor(log10(x)) - 2);
-    snprintf(text, sizeof text, "%.2e", ceil(x / unit * (1 - 1e-12)) * unit);
-    return atof(text);
-}
-
-static void put_macro(FILE *f, const lobe_shipped *s, const char *suffix, int with_format, double x)
-{
-    fputs("#define LOBE_", f);
-    lobe_put_upper(f, s->model);
-    fputc('_', f);
-    lobe_put_upper(f, s->tier);
-    if (with_format) {
-        fputc('_', f);
-        lobe_put_upper(f, s->format);
-    }
-    fprintf(f, "_%s %.3g\n", suffix, x);
-}
-
 static void put_measures(FILE *f, const lobe_shipped *s, const measured *in, const char *where)
 {
     static const char *const dfg[] = {"scale", "bias", "E"}, *const energy[] = {"E", "furnace"};
@@ -137,36 +110,45 @@ static void put_measures(FILE *f, const lobe_shipped *s, const measured *in, con
     fputs(" */\n", f);
 }
 
-/* Operations as the kernel's own text counts them; a table's stand in models/split_sum_table.h. */
-static bool put_operations(FILE *f, const lobe_shipped *s)
+/* A table's stand in models/split_sum_table.h. */
+static int operations_of(const lobe_shipped *s)
 {
     lobe_op_count count = {TABLE_OPERATIONS, TABLE_OPERATIONS};
-    if (strncmp(s->tier, "table", 5) != 0 && lobe_emit_count(s->model, s->tier, &count) != 0)
+    return strncmp(s->tier, "table", 5) == 0 || lobe_emit_count(s->model, s->tier, &count) == 0 ? count.fused : -1;
+}
+
+static bool put_operations(FILE *f, const lobe_bounded *what, const lobe_shipped *s)
+{
+    const int operations = what->operations(s);
+    if (operations < 0)
         return false;
-    put_macro(f, s, "OPS", 0, count.fused);
-    if (s->measures == 1) /* 1/E comes before the division */
-        put_macro(f, s, "INVERSE_OPS", 0, count.fused - 4);
-    put_macro(f, s, "DOMAIN_LO", 0, LOBE_JUDGE_LO);
+    lobe_put_bound(f, s->model, s->tier, NULL, "OPS", operations);
+    if (s->inverse) /* 1/E comes before the division */
+        lobe_put_bound(f, s->model, s->tier, NULL, "INVERSE_OPS", operations - 4);
+    lobe_put_bound(f, s->model, s->tier, NULL, "DOMAIN_LO", LOBE_JUDGE_LO);
     return true;
 }
 
-static bool put_shipped(FILE *f, const lobe_case *c, const lobe_shipped *s, const region *inside, const region *below)
+static bool put_shipped(FILE *f, const lobe_bounded *what, const lobe_shipped *s, const region *inside,
+                        const region *below)
 {
-    const measured in = measure(c, s, inside, 0), out = measure(c, s, below, 1);
+    const measured in = measure(what->truth, s, inside, 0), out = measure(what->truth, s, below, 1);
+    char part[40];
     double rms = 0;
     int m;
-    if (strcmp(s->format, "f32") == 0 && !put_operations(f, s))
+    if (strcmp(s->format, "f32") == 0 && !put_operations(f, what, s))
         return false;
     for (m = 0; m < s->measures; m++)
         rms = fmax(rms, in.rms[m]);
     put_measures(f, s, &in, "[.02, 1]");
     put_measures(f, s, &out, "below, down to .001");
-    put_macro(f, s, "MAX", 1, rounded_up(in.top));
-    put_macro(f, s, "RMS", 1, rounded_up(rms));
-    put_macro(f, s, "BELOW_MAX", 1, rounded_up(out.top));
+    lobe_put_bound(f, s->model, s->tier, s->format, "MAX", lobe_rounded_up(in.top));
+    lobe_put_bound(f, s->model, s->tier, s->format, "RMS", lobe_rounded_up(rms));
+    lobe_put_bound(f, s->model, s->tier, s->format, "BELOW_MAX", lobe_rounded_up(out.top));
     if (s->measures == 1) {
-        put_macro(f, s, "FURNACE", 1, rounded_up(in.max[1]));
-        put_macro(f, s, "BELOW_FURNACE", 1, rounded_up(out.max[1]));
+        snprintf(part, sizeof part, "BELOW_%s", what->part);
+        lobe_put_bound(f, s->model, s->tier, s->format, what->part, lobe_rounded_up(in.max[1]));
+        lobe_put_bound(f, s->model, s->tier, s->format, part, lobe_rounded_up(out.max[1]));
     }
     return true;
 }
@@ -183,11 +165,13 @@ static bool region_make(region *r, lobe_judge_points p, const lobe_case *c, cons
     return true;
 }
 
-static bool write_bounds(const lobe_case *self, const lobe_case *c, const lobe_fit_request *request)
+bool lobe_bounds_write(const lobe_case *self, const lobe_bounded *what, const lobe_fit_request *request)
 {
+    const lobe_case *c = what->truth;
     region inside = {{NULL, 0, 0}, NULL}, below = {{NULL, 0, 0}, NULL};
     lobe_atomic_file file;
     char path[4200];
+    int i;
     bool good = region_make(&inside, lobe_judge_inside(c), c, &request->sweep) &&
                 region_make(&below, lobe_judge_below(c), c, &request->sweep);
     snprintf(path, sizeof path, "%s/%s_bounds.h", request->coeffs, self->name);
@@ -198,11 +182,11 @@ static bool write_bounds(const lobe_case *self, const lobe_case *c, const lobe_f
             " * What ships, measured against the truth (%s; its own error %s).\n"
             " * [.02, 1]: a grid of 1024 x 1024, 2^17 random points denser toward low roughness and grazing views,\n"
             " * the vectors, and a walk uphill from each maximum; rms over the grid. Witnesses are roughness and\n"
-            " * n_dot_v. Macros are rounded up: MAX over all outputs and their sum E, RMS the largest of theirs. */\n",
-            self->name, self->brdf, self->accuracy);
-        for (int i = 0; good && lobe_shipped_at(i); i++)
-            if (strcmp(lobe_shipped_at(i)->model, self->name) == 0)
-                good = put_shipped(file.stream, c, lobe_shipped_at(i), &inside, &below);
+            " * n_dot_v. Macros are rounded up%s */\n",
+            self->name, c->brdf, c->accuracy, what->note);
+        for (i = 0; good && what->shipped(i); i++)
+            if (strcmp(what->shipped(i)->model, self->name) == 0)
+                good = put_shipped(file.stream, what, what->shipped(i), &inside, &below);
         if (good)
             good = lobe_atomic_commit(&file);
         else
@@ -218,7 +202,12 @@ static bool write_bounds(const lobe_case *self, const lobe_case *c, const lobe_f
 static bool write_all(const lobe_case *self, const lobe_fit_request *request)
 {
     /* E is the sum of the split sum's terms, and their truth is kept. */
-    return write_bounds(self, strcmp(self->name, "energy") == 0 ? lobe_case_find("split_sum") : self, request);
+    const lobe_bounded what = {.truth = strcmp(self->name, "energy") == 0 ? lobe_case_find("split_sum") : self,
+                               .shipped = lobe_shipped_at,
+                               .part = "FURNACE",
+                               .note = ": MAX over all outputs and their sum E, RMS the largest of theirs.",
+                               .operations = operations_of};
+    return lobe_bounds_write(self, &what, request);
 }
 
 int lobe_bounds_command(const lobe_case *self, int argc, char **argv)

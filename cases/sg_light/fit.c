@@ -3,7 +3,6 @@
 #define LOBE_DOUBLE 1
 #define LOBE_FIT 1
 #include "fit.h"
-#include "fit_diffuse.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -168,17 +167,21 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, con
     return good;
 }
 
-static bool fit_medium(const lobe_case *self, const lobe_fit_request *request)
+static bool fit_low(const lobe_case *self, const lobe_fit_request *request)
 {
     return fit_tier(self, request, lobe_sg_tier_at(0));
 }
-static bool fit_high(const lobe_case *self, const lobe_fit_request *request)
+static bool fit_medium(const lobe_case *self, const lobe_fit_request *request)
 {
     return fit_tier(self, request, lobe_sg_tier_at(1));
+}
+static bool fit_high(const lobe_case *self, const lobe_fit_request *request)
+{
+    return fit_tier(self, request, lobe_sg_tier_at(2));
 }
 
 int lobe_sg_fit(const lobe_case *self, int argc, char **argv)
 {
-    static const lobe_fit_tier all[] = {{"medium", fit_medium}, {"high", fit_high}, {"diffuse", lobe_sg_fit_diffuse}};
+    static const lobe_fit_tier all[] = {{"low", fit_low}, {"medium", fit_medium}, {"high", fit_high}};
     return lobe_fit_command(self, all, (int)(sizeof all / sizeof all[0]), argc, argv);
 }

@@ -6,6 +6,7 @@
 #include <string.h>
 #include "../../models/sg_diffuse.h"
 #include "../fit/coefficients.h"
+#include "../fit/fit_command.h"
 #include "../fit/least_squares.h"
 #include "truth_sg.h"
 
@@ -25,12 +26,12 @@ static void residuals(void *ctx, const double *params, size_t count, double *val
     for (n = 0; n < count; n++)
         for (i = 0; i < SHARPNESSES; i++)
             for (k = 0; k < HEIGHTS; k++) {
-                const double y = lobe_sg_diffuse_fitted(params + COUNT * n, height(k), g->versine[i]);
+                const double y = lobe_sg_diffuse_high(params + COUNT * n, height(k), g->versine[i]);
                 *values++ = (y - g->truth[i][k]) / g->truth[i][HEIGHTS - 1];
             }
 }
 
-bool lobe_sg_fit_diffuse(const lobe_case *self, const lobe_fit_request *request)
+static bool fit_high(const lobe_case *self, const lobe_fit_request *request)
 {
     static grid g;
     static double off[SHARPNESSES * HEIGHTS];
@@ -52,7 +53,7 @@ bool lobe_sg_fit_diffuse(const lobe_case *self, const lobe_fit_request *request)
     }
     result = lobe_least_squares(&problem, &options, c);
     if (result.status != LOBE_FIT_CONVERGED && result.status != LOBE_FIT_STALLED) {
-        fprintf(stderr, "lobefit: fit sg_light diffuse: %s: %s; the old coefficients stand\n",
+        fprintf(stderr, "lobefit: fit sg_diffuse high: %s: %s; the old coefficients stand\n",
                 lobe_fit_status_name(result.status), result.reason);
         return false;
     }
@@ -70,16 +71,22 @@ bool lobe_sg_fit_diffuse(const lobe_case *self, const lobe_fit_request *request)
              "max %.3e of what the light gives overhead, at sharpness %.4g, height %.2f; rms %.2e,\n"
              " *          in double on that grid",
              most, 1 / g.versine[worst / HEIGHTS], height(worst % HEIGHTS), sqrt(squares / (SHARPNESSES * HEIGHTS)));
-    out.model = "sg_light";
-    out.tier = "diffuse";
+    out.model = "sg_diffuse";
+    out.tier = "high";
     out.brdf = "Lambert, base colour 1";
     out.domain = "sharpness .5 to 4096, n_dot_l -1 to 1";
     out.grid = "27 sharpnesses, 41 heights";
     out.metric = "error over what the light gives overhead, least squares";
     out.error = error;
-    out.kernel = "lobe_sg_diffuse_fitted";
+    out.kernel = "lobe_sg_diffuse_high";
     out.source = "models/sg_diffuse.h";
     out.values = c;
     out.count = COUNT;
     return lobe_coefficients_write(&out, request->coeffs);
+}
+
+int lobe_sg_diffuse_fit(const lobe_case *self, int argc, char **argv)
+{
+    static const lobe_fit_tier all[] = {{"high", fit_high}};
+    return lobe_fit_command(self, all, 1, argc, argv);
 }

@@ -2,11 +2,9 @@
  * sharpnesses from .5 to 4096 and 41 heights of the axis. */
 #ifndef LOBE_SG_LIGHT_FIT_DIFFUSE_H
 #define LOBE_SG_LIGHT_FIT_DIFFUSE_H
-#include <stdbool.h>
 #include "../case.h"
-#include "../fit/fit_command.h"
 
-/* A lobe_fit_tier_fn. */
-bool lobe_sg_fit_diffuse(const lobe_case *self, const lobe_fit_request *request);
+/* lobefit fit sg_diffuse; a lobe_command_fn. */
+int lobe_sg_diffuse_fit(const lobe_case *self, int argc, char **argv);
 
 #endif

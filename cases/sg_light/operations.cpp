@@ -4,7 +4,10 @@
 
 #include "../fit/trace_sphere.h"
 
+#include "../../models/sg_diffuse.h"
 #include "../../models/sg_light_high.h"
+
+#include "peers.h"
 
 static lobe_graph graph;
 
@@ -40,9 +43,25 @@ int lobe_sg_operations(const char *name)
     static const struct {
         const char *name;
         kernel *f;
-    } counted[] = {{"point", point}, {"medium", lobe_sg_light_medium}, {"high", lobe_sg_light_high}};
+    } counted[] = {{"point", point},
+                   {"SG warp", lobe_peer_sg_warp},
+                   {"ASG warp", lobe_peer_asg_warp},
+                   {"ASG warp refitted", lobe_peer_asg_refitted},
+                   {"low", lobe_sg_light_low},
+                   {"medium", lobe_sg_light_medium},
+                   {"high", lobe_sg_light_high}};
     for (size_t i = 0; i < sizeof counted / sizeof counted[0]; i++)
         if (strcmp(counted[i].name, name) == 0)
             return count_of(counted[i].f) - count_of(point);
     return -1;
+}
+
+int lobe_sg_diffuse_operations(const char *tier)
+{
+    lobe_graph_begin(&graph);
+    const lobe_real n_dot_l = lobe_input(0), versine = lobe_input(1);
+    const lobe_real y =
+        strcmp(tier, "high") == 0 ? lobe_sg_diffuse_high(n_dot_l, versine) : lobe_sg_diffuse_inner(n_dot_l, versine);
+    graph.output[graph.outputs++] = y.id;
+    return lobe_sphere_trace_end(&graph).fused;
 }

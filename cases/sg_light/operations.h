@@ -8,6 +8,9 @@ extern "C" {
 /* -1: not counted. */
 int lobe_sg_operations(const char *name);
 
+/* Of the tiers high and inner of models/sg_diffuse.h, from their inputs. */
+int lobe_sg_diffuse_operations(const char *tier);
+
 #ifdef __cplusplus
 }
 #endif

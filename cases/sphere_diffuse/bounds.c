@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../fit/atomic_file.h"
-#include "../fit/coefficients.h"
+#include "../fit/bound_header.h"
 #include "../fit/emit.h"
 #include "../fit/fit_command.h"
 #include "../fit/random.h"
@@ -90,29 +90,6 @@ static measured measure(const lobe_sphere_diffuse_shipped *m)
     return out;
 }
 
-/* Three significant digits, never less than x. */
-static double rounded_up(double x)
-{
-    char text[40];
-    double unit;
-    if (!(x > 0))
-        return 0;
-    unit = pow(10, floor(log10(x)) - 2);
-    snprintf(text, sizeof text, "%.2e", ceil(x / unit * (1 - 1e-12)) * unit);
-    return atof(text);
-}
-
-static void put(FILE *f, const char *tier, const char *format, const char *suffix, double x)
-{
-    fputs("#define LOBE_SPHERE_DIFFUSE_", f);
-    lobe_put_upper(f, tier);
-    if (format) {
-        fputc('_', f);
-        lobe_put_upper(f, format);
-    }
-    fprintf(f, "_%s %.3g\n", suffix, x);
-}
-
 static bool put_tier(FILE *f, const lobe_sphere_diffuse_shipped *m)
 {
     const measured w = measure(m);
@@ -120,14 +97,14 @@ static bool put_tier(FILE *f, const lobe_sphere_diffuse_shipped *m)
     if (strcmp(m->format, "f32") == 0) {
         if (lobe_emit_count_sphere_diffuse(m->tier, &count) != 0)
             return false;
-        put(f, m->tier, NULL, "OPS", count.fused);
+        lobe_put_bound(f, "sphere_diffuse", m->tier, NULL, "OPS", count.fused);
     }
     fprintf(f, "/* %s, %s: max %.6e at %.9g %.9g, rms %.6e;\n", m->tier, m->format, w.absolute.value,
             w.absolute.n_dot_l, w.absolute.sine, w.rms);
     fprintf(f, " *   of sine^2: %.6e at %.9g %.9g */\n", w.part.value, w.part.n_dot_l, w.part.sine);
-    put(f, m->tier, m->format, "MAX", rounded_up(w.absolute.value));
-    put(f, m->tier, m->format, "RMS", rounded_up(w.rms));
-    put(f, m->tier, m->format, "OF_SINE2", rounded_up(w.part.value));
+    lobe_put_bound(f, "sphere_diffuse", m->tier, m->format, "MAX", lobe_rounded_up(w.absolute.value));
+    lobe_put_bound(f, "sphere_diffuse", m->tier, m->format, "RMS", lobe_rounded_up(w.rms));
+    lobe_put_bound(f, "sphere_diffuse", m->tier, m->format, "OF_SINE2", lobe_rounded_up(w.part.value));
     return true;
 }
 

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 #include "../fit/atomic_file.h"
-#include "../fit/coefficients.h"
+#include "../fit/bound_header.h"
 #include "../fit/emit.h"
 #include "../fit/fit_command.h"
 #include "../fit/interrupt.h"
@@ -16,16 +16,10 @@
 
 static void put(FILE *f, const lobe_sphere_shipped *s, bool with_format, const char *suffix, double x)
 {
-    fputs("#define LOBE_SPHERE_LIGHT_", f);
-    lobe_put_upper(f, s->tier);
-    if (with_format) {
-        fputc('_', f);
-        lobe_put_upper(f, s->format);
-    }
-    fprintf(f, "_%s %.3g\n", suffix, x);
+    lobe_put_bound(f, "sphere_light", s->tier, with_format ? s->format : NULL, suffix, x);
 }
 
-static void put_measured(FILE *f, const lobe_sphere_shipped *s, const lobe_sphere_measured *m, const char *where)
+static void put_measured(FILE *f, const lobe_sphere_shipped *s, const lobe_measured *m, const char *where)
 {
     fprintf(f, "/* %s, %s, %s: max %.6e at\n *   %.9g %.9g %.9g %.9g %.9g, rms %.6e */\n", s->tier, s->format, where,
             m->max, m->at[0], m->at[1], m->at[2], m->at[3], m->at[4], m->rms);
@@ -44,21 +38,20 @@ static void put_cells(FILE *f, const lobe_sphere_shipped *s, const lobe_sphere_h
                 " *   worst cell %.4f, energy %+.4f, over a punctual light where sine < alpha / 2 %.4f */\n",
                 s->tier, s->format, k ? "mixed" : "uniform", set[k].all, set[k].view60, set[k].view75, set[k].worst,
                 set[k].energy, set[k].excess);
-    put(f, s, true, "CELLS", lobe_sphere_rounded_up(worst.all));
-    put(f, s, true, "CELLS_VIEW60", lobe_sphere_rounded_up(worst.view60));
-    put(f, s, true, "CELLS_VIEW75", lobe_sphere_rounded_up(worst.view75));
+    put(f, s, true, "CELLS", lobe_rounded_up(worst.all));
+    put(f, s, true, "CELLS_VIEW60", lobe_rounded_up(worst.view60));
+    put(f, s, true, "CELLS_VIEW75", lobe_rounded_up(worst.view75));
     fprintf(f, "/* %s, %s, held-out cells, energy over even positions: worst cell %+.4f */\n", s->tier, s->format,
             worst.integral);
-    put(f, s, true, "CELLS_ENERGY", lobe_sphere_rounded_up(fmax(fabs(worst.integral), fabs(set[1].energy))));
-    put(f, s, true, "CELLS_ENERGY_SAMPLED", lobe_sphere_rounded_up(fabs(worst.energy)));
-    put(f, s, true, "CELLS_EXCESS", lobe_sphere_rounded_up(worst.excess));
+    put(f, s, true, "CELLS_ENERGY", lobe_rounded_up(fmax(fabs(worst.integral), fabs(set[1].energy))));
+    put(f, s, true, "CELLS_ENERGY_SAMPLED", lobe_rounded_up(fabs(worst.energy)));
+    put(f, s, true, "CELLS_EXCESS", lobe_rounded_up(worst.excess));
 }
 
-static bool put_shipped(FILE *f, const lobe_sphere_shipped *s, const lobe_sphere_region regions[2],
+static bool put_shipped(FILE *f, const lobe_sphere_shipped *s, const lobe_region regions[2],
                         const lobe_sphere_held *held)
 {
-    const lobe_sphere_measured in = lobe_sphere_measure(s->call, &regions[0]),
-                               out = lobe_sphere_measure(s->call, &regions[1]);
+    const lobe_measured in = lobe_measure(s->call, &regions[0]), out = lobe_measure(s->call, &regions[1]);
     if (lobe_interrupt_requested()) {
         fputs("lobefit: bounds sphere_light: interrupted; the old bounds stand\n", stderr);
         return false;
@@ -71,9 +64,9 @@ static bool put_shipped(FILE *f, const lobe_sphere_shipped *s, const lobe_sphere
     }
     put_measured(f, s, &in, "in the domain");
     put_measured(f, s, &out, "beyond it");
-    put(f, s, true, "MAX", lobe_sphere_rounded_up(in.max));
-    put(f, s, true, "RMS", lobe_sphere_rounded_up(in.rms));
-    put(f, s, true, "BELOW_MAX", lobe_sphere_rounded_up(out.max));
+    put(f, s, true, "MAX", lobe_rounded_up(in.max));
+    put(f, s, true, "RMS", lobe_rounded_up(in.rms));
+    put(f, s, true, "BELOW_MAX", lobe_rounded_up(out.max));
     put_cells(f, s, held);
     return true;
 }
@@ -95,18 +88,17 @@ static void put_head(FILE *f, const lobe_case *self)
             "beyond a punctual light.\n"
             " * Witnesses are roughness, n_dot_v, n_dot_l, tangent2, sine. Macros are rounded up. */\n",
             self->brdf, self->accuracy, LOBE_SPHERE_ROUGHNESS_LO, LOBE_SPHERE_N_DOT_V_LO, LOBE_SPHERE_SINE_HI,
-            LOBE_SPHERE_JUDGED, LOBE_SPHERE_STARTS, LOBE_SPHERE_ROUGHNESS_LEAST, LOBE_SPHERE_N_DOT_V_LEAST);
+            LOBE_SPHERE_JUDGED, lobe_sphere_radiance.starts, LOBE_SPHERE_ROUGHNESS_LEAST, LOBE_SPHERE_N_DOT_V_LEAST);
 }
 
 static bool write_all(const lobe_case *self, const lobe_fit_request *request)
 {
-    lobe_sphere_region regions[2] = {{.rows = NULL}};
+    lobe_region regions[2] = {{.rows = NULL}};
     lobe_sphere_held held = {.ready = false};
     lobe_atomic_file file;
     char path[4200];
     int i;
-    bool good = lobe_sphere_region_make(&regions[0], false, &lobe_sphere_radiance, &request->sweep) &&
-                lobe_sphere_region_make(&regions[1], true, &lobe_sphere_radiance, &request->sweep) &&
+    bool good = lobe_regions_make(regions, &lobe_sphere_radiance, &request->sweep) &&
                 lobe_sphere_held_make(&held, &request->sweep);
     snprintf(path, sizeof path, "%s/sphere_light_bounds.h", request->coeffs);
     if (good && (good = lobe_atomic_open(&file, path))) {
@@ -119,8 +111,7 @@ static bool write_all(const lobe_case *self, const lobe_fit_request *request)
             lobe_atomic_abandon(&file);
     }
     lobe_sphere_held_free(&held);
-    for (i = 0; i < 2; i++)
-        lobe_sphere_region_free(&regions[i]);
+    lobe_regions_free(regions);
     return good;
 }
 

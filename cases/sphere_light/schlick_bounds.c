@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include "../../models/lobe.h"
 #include "../fit/atomic_file.h"
-#include "../fit/coefficients.h"
+#include "../fit/bound_header.h"
 #include "../fit/emit.h"
 #include "../fit/fit_command.h"
 #include "../fit/interrupt.h"
@@ -11,6 +11,7 @@
 #include "held.h"
 #include "judge.h"
 #include "measure.h"
+#include "points.h"
 #include "schlick_case.h"
 
 static lobe_sphere_f32 f32_of(const double row[5])
@@ -61,30 +62,36 @@ static const struct {
     double (*radiance)(const double row[5]), (*schlick)(const double row[5]);
 } tiers[] = {{"low", radiance_low, low_f32}, {"medium", radiance_medium, low_f32}, {"high", radiance_high, high_f32}};
 
-static const lobe_sphere_quantity schlick = {.judged = {.name = "sphere_light_schlick_judged",
-                                                        .input_count = 5,
-                                                        .output_count = 1,
-                                                        .truth = lobe_truth_sphere_schlick_columns_fast},
-                                             .truth = lobe_truth_sphere_schlick_columns,
-                                             .vectors = &lobe_sphere_schlick_vectors,
-                                             .least = LOBE_SPHERE_SCHLICK_LEAST,
-                                             .gain = 1e-3};
+static const lobe_case lit = {
+    .name = "sphere_light_lit", .input_count = 5, .output_count = 1, .truth = lobe_truth_sphere_columns_fast};
+
+static const lobe_quantity schlick = {.judged = {.name = "sphere_light_schlick_judged",
+                                                 .input_count = 5,
+                                                 .output_count = 1,
+                                                 .truth = lobe_truth_sphere_schlick_columns_fast},
+                                      .truth = lobe_truth_sphere_schlick_columns,
+                                      .vectors = &lobe_sphere_schlick_vectors,
+                                      .hypercube = lobe_sphere_judged,
+                                      .rows = {LOBE_SPHERE_JUDGED, LOBE_SPHERE_JUDGED / 2},
+                                      .step = lobe_sphere_step,
+                                      .starts = 4,
+                                      .halvings = 12,
+                                      .ways = 24,
+                                      .gain = 1e-3,
+                                      .lit = &lit,
+                                      .least = LOBE_SPHERE_SCHLICK_LEAST};
 
 static void put(FILE *f, const char *tier, const char *format, const char *suffix, double x)
 {
-    fputs("#define LOBE_SPHERE_LIGHT_SCHLICK_", f);
-    lobe_put_upper(f, tier);
-    fputc('_', f);
-    lobe_put_upper(f, format);
-    fprintf(f, "%s%s %.3g\n", *format ? "_" : "", suffix, x);
+    lobe_put_bound(f, "sphere_light_schlick", tier, format, suffix, x);
 }
 
-static bool put_forms(FILE *f, const lobe_sphere_region regions[2])
+static bool put_forms(FILE *f, const lobe_region regions[2])
 {
     size_t i;
     for (i = 0; i < sizeof forms / sizeof forms[0]; i++) {
-        const lobe_sphere_measured in = lobe_sphere_measure(forms[i].call, &regions[0]);
-        const lobe_sphere_measured out = lobe_sphere_measure(forms[i].call, &regions[1]);
+        const lobe_measured in = lobe_measure(forms[i].call, &regions[0]);
+        const lobe_measured out = lobe_measure(forms[i].call, &regions[1]);
         lobe_op_count count;
         if (lobe_interrupt_requested()) {
             fputs("lobefit: bounds sphere_light_schlick: interrupted; the old bounds stand\n", stderr);
@@ -93,14 +100,14 @@ static bool put_forms(FILE *f, const lobe_sphere_region regions[2])
         if (forms[i].call == low_f32 || forms[i].call == high_f32) {
             if (lobe_emit_count_sphere_schlick(forms[i].tier, &count) != 0)
                 return false;
-            put(f, forms[i].tier, "", "OPS", count.fused);
+            put(f, forms[i].tier, NULL, "OPS", count.fused);
         }
         fprintf(
             f, "/* %s, %s, in the domain: max %.6e at\n *   %.9g %.9g %.9g %.9g %.9g, rms %.6e; beyond it %.6e */\n",
             forms[i].tier, forms[i].format, in.max, in.at[0], in.at[1], in.at[2], in.at[3], in.at[4], in.rms, out.max);
-        put(f, forms[i].tier, forms[i].format, "MAX", lobe_sphere_rounded_up(in.max));
-        put(f, forms[i].tier, forms[i].format, "RMS", lobe_sphere_rounded_up(in.rms));
-        put(f, forms[i].tier, forms[i].format, "BELOW_MAX", lobe_sphere_rounded_up(out.max));
+        put(f, forms[i].tier, forms[i].format, "MAX", lobe_rounded_up(in.max));
+        put(f, forms[i].tier, forms[i].format, "RMS", lobe_rounded_up(in.rms));
+        put(f, forms[i].tier, forms[i].format, "BELOW_MAX", lobe_rounded_up(out.max));
     }
     return true;
 }
@@ -133,7 +140,7 @@ static bool put_added(FILE *f, const lobe_sphere_held *held, size_t tier)
     for (k = 0; y && score && k < F0S; k++) {
         char suffix[40];
         snprintf(suffix, sizeof suffix, "ADDS_%02d", (int)(100 * f0s[k] + .5));
-        put(f, tiers[tier].name, "F32", suffix, lobe_sphere_rounded_up(worst[k]));
+        put(f, tiers[tier].name, "F32", suffix, lobe_rounded_up(worst[k]));
     }
     free(score);
     free(y);
@@ -142,13 +149,12 @@ static bool put_added(FILE *f, const lobe_sphere_held *held, size_t tier)
 
 static bool write_all(const lobe_case *self, const lobe_fit_request *request)
 {
-    lobe_sphere_region regions[2] = {{.rows = NULL}};
+    lobe_region regions[2] = {{.rows = NULL}};
     lobe_sphere_held held = {.ready = false};
     lobe_atomic_file file;
     char path[4200];
     size_t i;
-    bool good = lobe_sphere_region_make(&regions[0], false, &schlick, &request->sweep) &&
-                lobe_sphere_region_make(&regions[1], true, &schlick, &request->sweep) &&
+    bool good = lobe_regions_make(regions, &schlick, &request->sweep) &&
                 lobe_sphere_held_make(&held, &request->sweep) &&
                 lobe_sphere_cells_add_dark(&held.cells[0], &request->sweep) &&
                 lobe_sphere_cells_add_dark(&held.cells[1], &request->sweep);
@@ -173,8 +179,7 @@ static bool write_all(const lobe_case *self, const lobe_fit_request *request)
             lobe_atomic_abandon(&file);
     }
     lobe_sphere_held_free(&held);
-    lobe_sphere_region_free(&regions[0]);
-    lobe_sphere_region_free(&regions[1]);
+    lobe_regions_free(regions);
     return good;
 }
 

@@ -37,9 +37,9 @@ static double real(int32_t x) { return x / 1073741824.0; }
 #undef ENERGY
 
 #define DFG(model, tier, bounds)                                                                                       \
-    {#model, #tier, "f32", 3, model##_##tier##_f32}, {#model, #tier, "q30", 3, model##_##tier##_q30},
+    {#model, #tier, "f32", 3, false, model##_##tier##_f32}, {#model, #tier, "q30", 3, false, model##_##tier##_q30},
 #define ENERGY(model, tier, bounds)                                                                                    \
-    {#model, #tier, "f32", 1, model##_##tier##_f32}, {#model, #tier, "q30", 1, model##_##tier##_q30},
+    {#model, #tier, "f32", 1, true, model##_##tier##_f32}, {#model, #tier, "q30", 1, true, model##_##tier##_q30},
 static const lobe_shipped shipped[] = {
 #include "tier_rows.h"
 };

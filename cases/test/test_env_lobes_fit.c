@@ -8,13 +8,18 @@
 #include <cmocka.h>
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 #include "../../models/env_lobes4.h"
 #include "../../models/env_lobes8.h"
+#include "../env_lobes/adaptive_contender.h"
+#include "../env_lobes/asg.h"
+#include "../env_lobes/contenders.h"
 #include "../env_lobes/fan.h"
-#include "../env_lobes/judge.h"
+#include "../env_lobes/fresnel.h"
 #include "../env_lobes/kernels.h"
 #include "../env_lobes/rooms.h"
 #include "../env_lobes/shape.h"
+#include "../env_lobes/table_contenders.h"
 #include "../fit/random.h"
 
 static void weights_sum_to_the_albedo(void **state)
@@ -35,10 +40,10 @@ static void weights_sum_to_the_albedo(void **state)
 static void at_the_normal_nothing_turns(void **state)
 {
     (void)state;
-    for (int m = 2; m < LOBE_JUDGE_MODELS; m++)
+    for (int m = 2; m < LOBE_CONTENDERS; m++)
         for (double alpha = .0025; alpha <= 1; alpha *= 1.5) {
             lobe_cell_tap taps[LOBE_CELL_TAPS];
-            const int count = lobe_judge_taps(m, alpha, 1, taps);
+            const int count = lobe_contender[m].taps(lobe_contender[m].ctx, alpha, 1, taps);
             for (int i = 0; i < count; i++)
                 assert_true(taps[i].angle == 0);
         }
@@ -54,9 +59,9 @@ static void taps_are_continuous(void **state)
         const double alpha = .001 + .99 * lobe_random_unit(&r), v = .99999 * lobe_random_unit(&r);
         const int m = 2 + i % 4;
         lobe_cell_tap a[LOBE_CELL_TAPS], b[LOBE_CELL_TAPS], c[LOBE_CELL_TAPS];
-        const int count = lobe_judge_taps(m, alpha, v, a);
-        lobe_judge_taps(m, alpha + 1e-6, v, b);
-        lobe_judge_taps(m, alpha, v + 1e-6, c);
+        const int count = lobe_contender[m].taps(lobe_contender[m].ctx, alpha, v, a);
+        lobe_contender[m].taps(lobe_contender[m].ctx, alpha + 1e-6, v, b);
+        lobe_contender[m].taps(lobe_contender[m].ctx, alpha, v + 1e-6, c);
         for (int k = 0; k < count; k++) {
             assert_true(fabs(a[k].angle - b[k].angle) <= 2e-3 && fabs(a[k].angle - c[k].angle) <= 2e-3);
             assert_true(fabs(exp(a[k].log_t) - exp(b[k].log_t)) <= 2e-3 * fmax(1, exp(a[k].log_t)));
@@ -97,37 +102,93 @@ static void shape_agrees(void **state)
     static const double at[][2] = {{.04, 1}, {.1, .5}, {.3, .1}, {.3, .8}, {1, .5}};
     (void)state;
     for (int i = 0; i < 5; i++)
-        for (int m = 0; m < LOBE_JUDGE_MODELS; m += 2) {
+        for (int m = 0; m < LOBE_CONTENDERS; m += 2) {
             lobe_cell_tap taps[LOBE_CELL_TAPS];
-            const int count = lobe_judge_taps(m, at[i][0], at[i][1], taps);
+            const int count = lobe_contender[m].taps(lobe_contender[m].ctx, at[i][0], at[i][1], taps);
             const double a = lobe_shape_error(at[i][0], at[i][1], taps, count);
             const double b = lobe_shape_error_sampled(at[i][0], at[i][1], taps, count, 400000);
-            print_message("# alpha %g, n_dot_v %g, %s: %.4f, sampled %.4f\n", at[i][0], at[i][1], lobe_judge_name[m], a,
-                          b);
+            print_message("# alpha %g, n_dot_v %g, %s: %.4f, sampled %.4f\n", at[i][0], at[i][1],
+                          lobe_contender[m].name, a, b);
             assert_true(fabs(a / b - 1) <= .01);
         }
 }
 
-/* The floors of the radiance error, as parts of the split sum's, over three environments. */
+/* The floors of the radiance error, as parts of the split sum's, over three environments; and a closed form is at most
+ * a point worse than its table. */
 static void floors_hold(void **state)
 {
-    static const double floor_of[LOBE_JUDGE_MODELS] = {1, 1, .30, .18, .12, .08};
-    double sum[LOBE_JUDGE_MODELS] = {0};
+    enum {
+        TABLES = LOBE_CONTENDERS,
+        ADAPTIVE = TABLES + LOBE_TABLE_CONTENDERS,
+        MODELS = ADAPTIVE + 1,
+        CLOSED = TABLES - LOBE_TABLE_CONTENDERS
+    };
+    static const double floor_of[MODELS] = {1, 1, .30, .18, .12, .08, .30, .18, .12, .08, .12};
+    lobe_judge_model models[MODELS];
+    double sum[MODELS] = {0};
     (void)state;
+    memcpy(models, lobe_contender, sizeof lobe_contender);
+    memcpy(models + TABLES, lobe_table_contender, sizeof lobe_table_contender);
+    models[ADAPTIVE] = lobe_adaptive_contender;
     for (int i = 0; i < 3; i++) {
         static const lobe_room room[3] = {LOBE_ROOM_SKY, LOBE_ROOM_LAMPS, LOBE_ROOM_CLOUDS};
         lobe_environment map;
-        lobe_judge_errors e;
+        lobe_judge_error e[MODELS];
+        const lobe_judge_options options = {2, 9, 0};
         assert_true(lobe_room_make(&map, room[i], 256, 201));
-        assert_true(lobe_judge_environment(&map, 9, 2, &e));
-        for (int m = 0; m < LOBE_JUDGE_MODELS; m++)
-            sum[m] += e.relative[m] * e.relative[m];
+        assert_true(lobe_judge_environment(&map, &options, models, MODELS, e));
+        for (int m = 0; m < MODELS; m++)
+            sum[m] += e[m].relative * e[m].relative;
         lobe_environment_free(&map);
     }
-    for (int m = 0; m < LOBE_JUDGE_MODELS; m++) {
-        print_message("# %s: %.4f, %.3f of the split sum\n", lobe_judge_name[m], sqrt(sum[m] / 3),
-                      sqrt(sum[m] / sum[0]));
+    for (int m = 0; m < MODELS; m++) {
+        print_message("# %s: %.4f, %.3f of the split sum\n", models[m].name, sqrt(sum[m] / 3), sqrt(sum[m] / sum[0]));
         assert_true(sqrt(sum[m] / sum[0]) <= floor_of[m]);
+    }
+    for (int k = 0; k < LOBE_TABLE_CONTENDERS; k++)
+        assert_true(sqrt(sum[CLOSED + k] / 3) - sqrt(sum[TABLES + k] / 3) <= .01);
+    assert_true(lobe_adaptive_contender_mean(512) <= 2.2);
+}
+
+/* An ASG's nodes are a quadrature of it, and the fit's error is that of another integrator. */
+static double asg_at(void *ctx, const double d[3]) { return lobe_asg_at(ctx, d); }
+
+static void asg_is_integrated(void **state)
+{
+    static const double at[][2] = {{.1, .25}, {.6, .6}};
+    static double rows[5 * LOBE_JUDGE_NODES];
+    (void)state;
+    for (int i = 0; i < 2; i++) {
+        double error, sum = 0, weight;
+        lobe_asg asg = lobe_asg_fit(at[i][0], at[i][1], 1, &error);
+        const int count = lobe_asg_nodes(&asg, 40, rows);
+        for (int k = 0; k < count; k++)
+            sum += rows[5 * k + 3];
+        assert_true(fabs(sum - 1) <= 1e-6 && fabs(lobe_cubature(asg_at, &asg, 1e-4) - 1) <= 1e-4);
+        assert_true(fabs(lobe_shape_error_of(at[i][0], at[i][1], asg_at, &asg) / error - 1) <= 1e-3);
+        weight = lobe_asg_fit(at[i][0], at[i][1], 0, &sum).weight;
+        assert_true(sum < error && weight < 1);
+    }
+}
+
+/* At f0 .04 the way that ships takes a third of the error away that one factor on all taps leaves, where there is more
+ * than one; at F = 1 there is nothing to give. */
+static void fresnel_per_tap_pays(void **state)
+{
+    static lobe_judge_error e[LOBE_FRESNEL_WAYS][LOBE_FRESNEL_F0S][LOBE_FRESNEL_MODELS];
+    const lobe_judge_options options = {2, 9, 0};
+    lobe_environment map;
+    (void)state;
+    assert_true(lobe_room_make(&map, LOBE_ROOM_SKY, 256, 202));
+    assert_true(lobe_fresnel_judge(&map, &options, lobe_contender + 2, 4, e));
+    lobe_environment_free(&map);
+    assert_true(lobe_fresnel_f0[0] == 1 && lobe_fresnel_f0[3] == .04);
+    for (int m = 0; m < 4; m++) {
+        const double factor = e[LOBE_FRESNEL_FACTOR][3][m].relative, shipped = e[LOBE_FRESNEL_SHIPPED][3][m].relative;
+        print_message("# f0 .04, %s: %.4f, one factor %.4f, F = 1 %.4f\n", lobe_contender[2 + m].name, shipped, factor,
+                      e[LOBE_FRESNEL_SHIPPED][0][m].relative);
+        assert_true(fabs(e[LOBE_FRESNEL_SHIPPED][0][m].relative - e[LOBE_FRESNEL_FACTOR][0][m].relative) <= 1e-9);
+        assert_true(m == 0 ? fabs(shipped - factor) <= 1e-9 : shipped <= .667 * factor);
     }
 }
 
@@ -140,6 +201,8 @@ int main(void)
         cmocka_unit_test(kernels_are_what_is_fitted),
         cmocka_unit_test(shape_agrees),
         cmocka_unit_test(floors_hold),
+        cmocka_unit_test(asg_is_integrated),
+        cmocka_unit_test(fresnel_per_tap_pays),
     };
     return cmocka_run_group_tests_name("environment lobes, fit", tests, NULL, NULL);
 }

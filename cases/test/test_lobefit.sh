@@ -72,7 +72,7 @@ refused "search into a folder that is not there" "cannot write" "" search sphere
 result $? "-h explains on standard output"
 
 "$lobefit" list > "$work/list"
-[ "$(cut -f1 "$work/list" | tr '\n' ' ')" = "split_sum split_sum_sep energy diffuse_sh sphere_light sphere_light_schlick sphere_diffuse capsule_light env_lobes sg_light env_lobes_sg split_sum_kibl " ]
+[ "$(cut -f1 "$work/list" | tr '\n' ' ')" = "split_sum split_sum_sep energy diffuse_sh sphere_light sphere_light_schlick sphere_diffuse capsule_light env_lobes sg_light sg_diffuse env_lobes_sg split_sum_kibl " ]
 result $? "list names the cases"
 
 printf '# head\n0.5 0.7\n\n  1 , 1 # tail\n.25,5e-1\r\n' | "$lobefit" truth split_sum > "$work/out"

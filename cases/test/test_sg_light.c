@@ -5,9 +5,10 @@
 #include <stddef.h>
 #include <cmocka.h>
 #include <math.h>
+#include <string.h>
 #include "../fit/random.h"
+#include "../sg_light/candidates.h"
 #include "../sg_light/ndf.h"
-#include "../sg_light/peers.h"
 #include "../sg_light/truth_sg.h"
 
 static const double pi = 3.14159265358979323846;
@@ -117,13 +118,14 @@ static void irradiance(void **state)
 /* The published frame is 0/0 where the view stands on the normal; these are continuous there. */
 static void peers_on_the_normal(void **state)
 {
-    double (*const peers[])(const double row[5]) = {lobe_peer_sg_warp, lobe_peer_asg_warp, lobe_peer_asg_refitted};
     const double on[5] = {.5, 1, .8, 1, 64}, beside[5] = {.5, 1 - 1e-12, .8, 1, 64};
-    size_t i;
+    int i;
     (void)state;
-    for (i = 0; i < 3; i++) {
-        assert_true(peers[i](on) > 0 && peers[i](on) < 1);
-        assert_true(fabs(peers[i](on) / peers[i](beside) - 1) < 1e-4);
+    for (i = 1; i <= 3; i++) { /* behind the punctual light */
+        const lobe_sg_candidate *peer = lobe_sg_candidate_at(i);
+        assert_non_null(strstr(peer->name, "SG warp"));
+        assert_true(peer->call(on) > 0 && peer->call(on) < 1);
+        assert_true(fabs(peer->call(on) / peer->call(beside) - 1) < 1e-4);
     }
 }
 

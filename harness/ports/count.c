@@ -81,6 +81,8 @@ typedef lobe_scaled_q30 capsule_q30(int32_t, lobe_capsule_q30);
 typedef lobe_scaled_q30 sphere_diffuse_q30(int32_t, int32_t);
 typedef void env_f32(float, float, lobe_env_tap_f32 *);
 typedef void env_q30(int32_t, int32_t, lobe_env_tap_q30 *);
+typedef int env_counted_f32(float, float, lobe_env_tap_f32 *);
+typedef int env_counted_q30(int32_t, int32_t, lobe_env_tap_q30 *);
 typedef void env_sg_f32(float, float, lobe_env_sg_tap_f32 *);
 typedef void env_sg_q30(int32_t, int32_t, lobe_env_sg_tap_q16 *);
 
@@ -151,6 +153,8 @@ static lobe_env_sg_tap_f32 sg_taps_f32[8];
 static lobe_env_sg_tap_q16 sg_taps_q30[8];
 LOOP(env_f32, float, (called(roughness[i].f, n_dot_v[i].f, taps_f32), 0.0f))
 LOOP(env_q30, int32_t, (called(roughness[i].q, n_dot_v[i].q, taps_q30), 0))
+LOOP(env_counted_f32, int, called(roughness[i].f, n_dot_v[i].f, taps_f32))
+LOOP(env_counted_q30, int, called(roughness[i].q, n_dot_v[i].q, taps_q30))
 LOOP(env_sg_f32, float, (called(roughness[i].f, n_dot_v[i].f, sg_taps_f32), 0.0f))
 LOOP(env_sg_q30, int32_t, (called(roughness[i].q, n_dot_v[i].q, sg_taps_q30), 0))
 
@@ -188,8 +192,12 @@ enum { CALL_AND_RETURN = 2 };
 #define SPHERE_DIFFUSE_F32(model, tier, bounds) FUNCTION(#model, tier, F32, energy_f32, lobe_##model##_##tier##_f32)
 #define SPHERE_DIFFUSE_Q30(model, tier, bounds)                                                                        \
     FUNCTION(#model, tier, Q30, sphere_diffuse_q30, lobe_##model##_##tier##_q30)
+#define SG_DIFFUSE_F32 SPHERE_DIFFUSE_F32
+#define SG_DIFFUSE_Q30 SPHERE_DIFFUSE_Q30
 #define ENV_F32(model, tier, bounds, kernel, n) FUNCTION(#model, tier, F32, env_f32, kernel##_f32)
 #define ENV_Q30(model, tier, bounds, kernel, n) FUNCTION(#model, tier, Q30, env_q30, kernel##_q30)
+#define ENV_COUNTED_F32(model, tier, bounds, kernel, n) FUNCTION(#model, tier, F32, env_counted_f32, kernel##_f32)
+#define ENV_COUNTED_Q30(model, tier, bounds, kernel, n) FUNCTION(#model, tier, Q30, env_counted_q30, kernel##_q30)
 #define ENV_SG_F32(model, tier, bounds, kernel, n) FUNCTION(#model, tier, F32, env_sg_f32, kernel##_f32)
 #define ENV_SG_Q30(model, tier, bounds, kernel, n) FUNCTION(#model, tier, Q30, env_sg_q30, kernel##_q30)
 #define SH9_RADIANCE(tier)                                                                                             \

@@ -51,7 +51,7 @@ else
         {
             name = ($1 == "peer" ? "" : "lobe_") $1 "_" $2 "_" $3
             # where the function is not called after its model and tier
-            if ($2 ~ /^lobes[0-9]+$/) name = "lobe_" $1 substr($2, 6) "_" $3
+            if ($2 ~ /^lobes[0-9]+(_table[0-9]+)?$/) name = "lobe_" $1 substr($2, 6) "_" $3
             if ($1 == "sphere_light_schlick") name = "lobe_sphere_light_" ($2 == "high" ? "high_lit" : "schlick") "_" $3
             if (!(name in costs)) {
                 print "count.sh: callgrind does not know " name >"/dev/stderr"

@@ -4,6 +4,7 @@
 #define LOBE_DOUBLE 1
 #include "../../core/q30_exp2.h"
 #include "../../models/lobe.h"
+#include "../../models/sg_diffuse.h"
 #include "../../models/sg_light_high.h"
 #include "cmocka_first.h"
 #include <math.h>
@@ -15,6 +16,7 @@ static const struct tier {
     float (*f32)(float roughness, lobe_sg_f32 light);
     lobe_scaled_q30 (*q30)(int32_t roughness, lobe_sg_q30 light);
 } tiers[] = {
+    {"low", lobe_sg_light_low, lobe_sg_light_low_f32, lobe_sg_light_low_q30},
     {"medium", lobe_sg_light_medium, lobe_sg_light_medium_f32, lobe_sg_light_medium_q30},
     {"high", lobe_sg_light_high, lobe_sg_light_high_f32, lobe_sg_light_high_q30},
 };
@@ -262,7 +264,7 @@ static void diffuse(void **state)
         for (k = -20; k <= 20; k++) {
             const double want = lit(0.05 * k, sharpness);
             const float c = (float)(0.05 * k), w = (float)(1.0 / sharpness);
-            worst[0] = fmax(worst[0], fabs((double)lobe_sg_diffuse_f32(c, w) - want) / overhead);
+            worst[0] = fmax(worst[0], fabs((double)lobe_sg_diffuse_high_f32(c, w) - want) / overhead);
             worst[1] = fmax(worst[1], fabs((double)lobe_sg_diffuse_inner_f32(c, w) - want) / overhead);
         }
     }
@@ -270,9 +272,32 @@ static void diffuse(void **state)
     assert_true(worst[0] < 0.0052 && worst[1] < 0.175);
     for (i = 0; i < 8; i++)
         for (k = 0; k < 8; k++) {
-            const float a = lobe_sg_diffuse_f32(odd[i], odd[k]), b = lobe_sg_diffuse_inner_f32(odd[i], odd[k]);
+            const float a = lobe_sg_diffuse_high_f32(odd[i], odd[k]), b = lobe_sg_diffuse_inner_f32(odd[i], odd[k]);
             assert_true(a >= 0.0f && a <= 2.0f && b >= 0.0f && b <= 2.0f);
         }
+}
+
+/* Both formats in parts of what the light gives overhead, and no light under a light that has set. */
+static void diffuse_near_the_formula(void **state)
+{
+    double worst[2] = {0.0, 0.0};
+    int i;
+    (void)state;
+    for (i = 0; i < 200000; i++) {
+        const double c = grid(i % 7 ? 2.0 * uniform() - 1.0 : i % 2 ? 1.0 : -1.0);
+        const double w = grid(fmax(0x1p-19, pow(2.0, 1.0 - 13.0 * uniform())) - 0x1p-20);
+        const double want = lobe_sg_diffuse_high(c, w), overhead = lobe_sg_diffuse_high(1.0, w);
+        const lobe_scaled_q30 q = lobe_sg_diffuse_high_q30(fixed(c), fixed(w));
+        worst[0] = fmax(worst[0], fabs((double)lobe_sg_diffuse_high_f32((float)c, (float)w) - want) / overhead);
+        worst[1] = fmax(worst[1], fabs(ldexp(q.mantissa, q.exponent - 30) - want) / overhead);
+        assert_true(q.mantissa >= 0 && q.exponent <= 1);
+    }
+    print_message("# f32 %.3g, q30 %.3g of the light overhead\n", worst[0], worst[1]);
+    assert_true(worst[0] < 0x1p-20 && worst[1] < 0x1p-23);
+    for (i = 0; i < 100000; i++) { /* any bits */
+        const lobe_scaled_q30 q = lobe_sg_diffuse_high_q30((int32_t)random_bits(), (int32_t)random_bits());
+        assert_true(q.mantissa >= 0 && q.mantissa <= LOBE_ONE_Q30 && q.exponent <= 1);
+    }
 }
 
 static void powers_of_two(void **state)
@@ -303,6 +328,7 @@ int main(void)
         cmocka_unit_test(from_directions),
         cmocka_unit_test(powers_of_two),
         cmocka_unit_test(diffuse),
+        cmocka_unit_test(diffuse_near_the_formula),
     };
     return cmocka_run_group_tests(tests, NULL, NULL);
 }

@@ -18,7 +18,19 @@ static inline lobe_q_cell lobe_q_table_cell(int32_t x, int side)
     return cell;
 }
 
-/* a and b under 2^30, not negative; the result lies between them. */
+/* Those of ../split_sum_table.h, of inputs in [0, 1]. */
+static inline lobe_q_cell lobe_q_table_row(int32_t roughness, int side)
+{
+    return lobe_q_table_cell(lobe_q_mul(roughness, 3 * ((int32_t)1 << 29) - (roughness >> 1), 30), side);
+}
+
+static inline lobe_q_cell lobe_q_table_column(int32_t n_dot_v, int side)
+{
+    const lobe_q_inverse inverse = lobe_q_reciprocal(n_dot_v + ((int32_t)1 << 28));
+    return lobe_q_table_cell(lobe_q_min(lobe_q_ratio(n_dot_v + (n_dot_v >> 2), inverse), LOBE_Q30_ONE), side);
+}
+
+/* |b - a| under 2^31; the result lies between them. */
 static inline int32_t lobe_q_table_between(int32_t a, int32_t b, int32_t part)
 {
     return a + lobe_q_mul(b - a, part, 24);
@@ -38,10 +50,7 @@ static inline int32_t lobe_q_table_channel(const uint16_t *t, int side, lobe_q_c
 static inline lobe_dfg_q30 lobe_q_table_lookup(const uint16_t *texels, int side, int32_t roughness, int32_t n_dot_v)
 {
     const int32_t r = lobe_q_saturate(roughness), v = lobe_q_saturate(n_dot_v);
-    const int32_t x = lobe_q_mul(r, 3 * ((int32_t)1 << 29) - (r >> 1), 30);
-    const lobe_q_inverse inverse = lobe_q_reciprocal(v + ((int32_t)1 << 28));
-    const int32_t y = lobe_q_min(lobe_q_ratio(v + (v >> 2), inverse), LOBE_Q30_ONE);
-    const lobe_q_cell down = lobe_q_table_cell(x, side), along = lobe_q_table_cell(y, side);
+    const lobe_q_cell down = lobe_q_table_row(r, side), along = lobe_q_table_column(v, side);
     const uint16_t *t = texels + 2 * (down.index * side + along.index);
     lobe_dfg_q30 d;
     d.scale = lobe_q_table_channel(t, side, down, along);

@@ -1,6 +1,4 @@
 #include "../lobe.h"
 #include "../sg_diffuse.h"
 
-float lobe_sg_diffuse_f32(float n_dot_l, float versine) { return lobe_sg_diffuse_fitted(n_dot_l, versine); }
-
 float lobe_sg_diffuse_inner_f32(float n_dot_l, float versine) { return lobe_sg_diffuse_inner(n_dot_l, versine); }

@@ -1,0 +1,12 @@
+/* The tier whose number of taps follows a need: fitted and written. */
+#ifndef LOBE_ENV_ADAPTIVE_TIER_H
+#define LOBE_ENV_ADAPTIVE_TIER_H
+#include "../fit/fit_command.h"
+#include "adaptive_fit.h"
+
+/* tiers: closed forms that there are (fan.h). True once models/coeffs/env_lobes_adaptive.h is written, false after a
+ * line on stderr. */
+bool lobe_env_adaptive_tier(const struct lobe_case *self, const lobe_fit_request *request,
+                            const lobe_adaptive_tiers *tiers);
+
+#endif

@@ -1,0 +1,3 @@
+#include "env_lobes_table_entry.h"
+
+LOBE_ENV_TABLE_F32(lobe_env_lobes8_table16, 8)
