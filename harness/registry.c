@@ -227,7 +227,7 @@ static const lobe_range sg_light_ranges[] = {{0.22, 1.0, 0.0, 1.0},
                                              {-1.0, 1.0, -1.0, 1.0},
                                              {0.0, 1.0, 0.0, 1.0},
                                              {0.000244140625, 0.25, 0.0, 1.0}};
-static const lobe_range sg_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.000244140625, 1.0, 0.0, 1.0}};
+static const lobe_range sg_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.000244140625, 1.0, 0.0, 2.0}};
 static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0, 1.0, 0.0, 1.0}};
 
 /* Second reading: the table. ROW_OF has everything, the others what their models have in common. */
@@ -297,15 +297,15 @@ static const lobe_range sphere_diffuse_ranges[] = {{-1.0, 1.0, -1.0, 1.0}, {0.0,
            "radiance", 0, array, bounds, bounds##_##FORMAT##_BELOW_MAX)
 #define SG_F32(model, tier, bounds) ROW_SG(model, tier, f32, F32, model##_##tier##_n_f32, bounds)
 #define SG_Q30(model, tier, bounds) ROW_SG(model, tier, q30, Q30, NULL, bounds)
-#define ROW_DIFFUSE(model, tier, size, format, FORMAT, array, bounds)                                                  \
+#define ROW_DIFFUSE(model, tier, size, format, FORMAT, array, bounds, beyond)                                          \
     ROW_OF(model, tier, format, FORMAT, 2, "n_dot_l " size, model##_ranges, 1, "irradiance", 0, array, bounds,         \
-           bounds##_##FORMAT##_MAX)
+           bounds##_##FORMAT##_##beyond)
 #define SPHERE_DIFFUSE_F32(model, tier, bounds)                                                                        \
-    ROW_DIFFUSE(model, tier, "sine", f32, F32, model##_##tier##_n_f32, bounds)
-#define SPHERE_DIFFUSE_Q30(model, tier, bounds) ROW_DIFFUSE(model, tier, "sine", q30, Q30, NULL, bounds)
+    ROW_DIFFUSE(model, tier, "sine", f32, F32, model##_##tier##_n_f32, bounds, MAX)
+#define SPHERE_DIFFUSE_Q30(model, tier, bounds) ROW_DIFFUSE(model, tier, "sine", q30, Q30, NULL, bounds, MAX)
 #define SG_DIFFUSE_F32(model, tier, bounds)                                                                            \
-    ROW_DIFFUSE(model, tier, "versine", f32, F32, model##_##tier##_n_f32, bounds)
-#define SG_DIFFUSE_Q30(model, tier, bounds) ROW_DIFFUSE(model, tier, "versine", q30, Q30, NULL, bounds)
+    ROW_DIFFUSE(model, tier, "versine", f32, F32, model##_##tier##_n_f32, bounds, BEYOND_MAX)
+#define SG_DIFFUSE_Q30(model, tier, bounds) ROW_DIFFUSE(model, tier, "versine", q30, Q30, NULL, bounds, BEYOND_MAX)
 /* Errors are those of the weights' sum, against the albedo. */
 #define TAPS_1 "angle0 width0 weight0"
 #define TAPS_2 TAPS_1 " angle1 width1 weight1"

@@ -13,7 +13,7 @@
 LOBE_FN lobe_real lobe_sg_diffuse_high(LOBE_COEFFS lobe_real n_dot_l, lobe_real versine)
 {
     LOBE_LET c = lobe_clamp(n_dot_l, LOBE_R(-1.0), LOBE_R(1.0));
-    LOBE_LET w = lobe_clamp(versine, LOBE_R(1e-6), LOBE_R(4.0));
+    LOBE_LET w = lobe_clamp(versine, LOBE_R(1e-6), LOBE_R(2.0));
     LOBE_LET sharp = LOBE_R(1.0) / w;
     LOBE_LET behind = lobe_exp2(LOBE_R(-2.88539008) * sharp); /* exp(-2 / versine): what the light has there */
     LOBE_LET whole = LOBE_R(1.0) - behind;
@@ -31,7 +31,7 @@ LOBE_FN lobe_real lobe_sg_diffuse_high(LOBE_COEFFS lobe_real n_dot_l, lobe_real 
 LOBE_FN lobe_real lobe_sg_diffuse_inner(lobe_real n_dot_l, lobe_real versine)
 {
     LOBE_LET c = lobe_clamp(n_dot_l, LOBE_R(-1.0), LOBE_R(1.0));
-    LOBE_LET w = lobe_clamp(versine, LOBE_R(1e-6), LOBE_R(4.0));
+    LOBE_LET w = lobe_clamp(versine, LOBE_R(1e-6), LOBE_R(2.0));
     LOBE_LET t = LOBE_R(2.133) * w;
     LOBE_LET length = lobe_sqrt(LOBE_R(1.0) + t * (t + LOBE_R(2.0) * c)); /* of the sum of the axes, times versine */
     LOBE_LET most = LOBE_R(1.0) + t;

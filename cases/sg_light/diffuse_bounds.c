@@ -10,7 +10,7 @@
 #include "diffuse_case.h"
 #include "operations.h"
 
-enum { WIDTHS = 97, HEIGHTS = 161, ROWS = WIDTHS * HEIGHTS };
+enum { WIDTHS = 97, HEIGHTS = 161, ROWS = WIDTHS * HEIGHTS, WIDER = 16, BEYOND = WIDER * HEIGHTS };
 
 static int32_t q30(double x) { return (int32_t)floor(x * 1073741824.0 + 0.5); }
 
@@ -29,6 +29,7 @@ static const struct shipped {
 
 typedef struct grid {
     double in[2 * ROWS], truth[ROWS];
+    double in_beyond[2 * BEYOND], truth_beyond[BEYOND]; /* wider lights than the domain has */
 } grid;
 
 /* Even in the logarithm of the sharpness and in the height; multiples of 2^-24. A row a width ends overhead. */
@@ -44,11 +45,18 @@ static void fill(grid *g, const lobe_sweep_options *options)
             row[1] = floor(pow(LOBE_SG_DIFFUSE_VERSINE_LO, (double)i / (WIDTHS - 1)) * 16777216) / 16777216;
         }
     lobe_truth_cached(&kept, g->in, g->truth, ROWS, options);
+    for (i = 0; i < WIDER; i++)
+        for (k = 0; k < HEIGHTS; k++) {
+            double *row = g->in_beyond + 2 * (HEIGHTS * i + k);
+            row[0] = g->in[2 * k];
+            row[1] = 1 + (i + 1.0) / WIDER - 0x1p-24;
+        }
+    lobe_truth_cached(&kept, g->in_beyond, g->truth_beyond, BEYOND, options);
 }
 
 static void put_measured(FILE *f, const struct shipped *s, const grid *g)
 {
-    double most = 0, part = 0, squares = 0, parts = 0;
+    double most = 0, part = 0, squares = 0, parts = 0, beyond = 0;
     int i, at = 0, of = 0;
     for (i = 0; i < ROWS; i++) {
         const double off = fabs(s->call(g->in[2 * i], g->in[2 * i + 1]) - g->truth[i]);
@@ -64,12 +72,15 @@ static void put_measured(FILE *f, const struct shipped *s, const grid *g)
             of = i;
         }
     }
+    for (i = 0; i < BEYOND; i++)
+        beyond = fmax(beyond, fabs(s->call(g->in_beyond[2 * i], g->in_beyond[2 * i + 1]) - g->truth_beyond[i]));
     fprintf(f, "/* %s, %s: max %.6e at %.9g %.9g, rms %.6e;\n", s->tier, s->format, most, g->in[2 * at],
             g->in[2 * at + 1], sqrt(squares / ROWS));
     fprintf(f, " *   of the light overhead: max %.6e at %.9g %.9g, rms %.6e */\n", part, g->in[2 * of],
             g->in[2 * of + 1], sqrt(parts / ROWS));
     lobe_put_bound(f, "sg_diffuse", s->tier, s->format, "MAX", lobe_rounded_up(most));
     lobe_put_bound(f, "sg_diffuse", s->tier, s->format, "RMS", lobe_rounded_up(sqrt(squares / ROWS)));
+    lobe_put_bound(f, "sg_diffuse", s->tier, s->format, "BEYOND_MAX", lobe_rounded_up(beyond));
     lobe_put_bound(f, "sg_diffuse", s->tier, s->format, "OF_OVERHEAD", lobe_rounded_up(part));
     lobe_put_bound(f, "sg_diffuse", s->tier, s->format, "OF_OVERHEAD_RMS", lobe_rounded_up(sqrt(parts / ROWS)));
 }
@@ -89,8 +100,9 @@ static bool write_all(const lobe_case *self, const lobe_fit_request *request)
     fprintf(file.stream,
             "/* Generated, not edited: build/lobefit bounds sg_diffuse\n"
             " * What ships, measured against the truth (its own error %s) on %d versines\n"
-            " * from %.9g to 1 and %d heights. MAX and RMS are absolute, OF_OVERHEAD is in parts of what the\n"
-            " * light gives overhead. Witnesses are n_dot_l and versine. Macros are rounded up. */\n",
+            " * from %.9g to 1 and %d heights. MAX and RMS are absolute, BEYOND_MAX for versines from 1 to 2,\n"
+            " * OF_OVERHEAD is in parts of what the light gives overhead. Witnesses are n_dot_l and versine. Macros are\n"
+            " * rounded up. */\n",
             self->accuracy, WIDTHS, LOBE_SG_DIFFUSE_VERSINE_LO, HEIGHTS);
     for (i = 0; i < sizeof shipped / sizeof shipped[0]; i++) {
         if (shipped[i].format[0] == 'f')

@@ -7,7 +7,7 @@
  *          in double on that grid;
  *          what ships is measured on a finer one: sg_diffuse_bounds.h
  * seed     0, nothing in this fit is random
- * kernel   lobe_sg_diffuse_high in models/sg_diffuse.h, digest 333e18da61712c9b */
+ * kernel   lobe_sg_diffuse_high in models/sg_diffuse.h, digest cbc1a4b686e0b6c1 */
 #ifndef LOBE_COEFFS_SG_DIFFUSE_HIGH_H
 #define LOBE_COEFFS_SG_DIFFUSE_HIGH_H
 #if defined(LOBE_FIT)
