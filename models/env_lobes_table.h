@@ -47,7 +47,7 @@ LOBE_FN lobe_env_table_scales lobe_env_table_scales_of(lobe_real roughness, lobe
     return p;
 }
 
-/* part: p.weight times the tap's number, or for the last tap what those leave of the albedo. */
+/* weight: p.weight times the tap's number, or for the last tap what those leave of the albedo. */
 LOBE_FN lobe_env_tap lobe_env_table_tap(lobe_env_table_scales p, lobe_real shift, lobe_real width, lobe_real weight)
 {
     LOBE_LET angle = p.theta + p.shift * shift;

@@ -111,7 +111,7 @@ void lobe_env_lobes_sg1_q30(int32_t roughness, int32_t n_dot_v, lobe_env_sg_tap_
 void lobe_env_lobes_sg2_f32(float roughness, float n_dot_v, lobe_env_sg_tap_f32 taps[2]);
 void lobe_env_lobes_sg2_q30(int32_t roughness, int32_t n_dot_v, lobe_env_sg_tap_q16 taps[2]);
 
-/* 4 taps: 300 operations, 96 coefficients; albedo max 5.24e-05, below .00173. Source: models/env_lobes_sg.h. */
+/* 4 taps: 300 operations, 96 coefficients; albedo max 5.21e-05, below .00173. Source: models/env_lobes_sg.h. */
 void lobe_env_lobes_sg4_f32(float roughness, float n_dot_v, lobe_env_sg_tap_f32 taps[4]);
 void lobe_env_lobes_sg4_q30(int32_t roughness, int32_t n_dot_v, lobe_env_sg_tap_q16 taps[4]);
 
