@@ -7,7 +7,7 @@
  * error    all cells 0.247, worst cell 0.843, energy +0.474, on those cells, in double;
  *          what ships is measured on a finer one: capsule_light_bounds.h
  * seed     1
- * kernel   lobe_capsule_light_low in models/capsule_light.h, digest 668b1c9804fe4e22 */
+ * kernel   lobe_capsule_light_low in models/capsule_light.h, digest 354331db28eedf85 */
 #ifndef LOBE_COEFFS_CAPSULE_LIGHT_LOW_H
 #define LOBE_COEFFS_CAPSULE_LIGHT_LOW_H
 #if defined(LOBE_FIT)
