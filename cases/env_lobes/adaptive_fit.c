@@ -6,8 +6,9 @@
 #include "normal_equations.h"
 
 enum {
-    CELLS = LOBE_TRAINING_CELLS,
-    ROWS = LOBE_CELL_ROWS,
+    MOST = LOBE_ADAPTIVE_CELLS,
+    CELL_ROWS = LOBE_CELL_ROWS,
+    ROWS = LOBE_CELL_ROWS + LOBE_ADAPTIVE_TAPS, /* a cell's and what is asked for its weights */
     COUNT = LOBE_ADAPTIVE_COUNT,
     TERMS = LOBE_ADAPTIVE_TERMS,
     TAPS = LOBE_ADAPTIVE_TAPS,
@@ -15,20 +16,21 @@ enum {
     COLUMNS = 1 + 3 * TAPS /* residuals, then slopes: shift, width and part of every tap, the first's part aside */
 };
 #define RIDGE 1e-7
+/* On the square of a weight: fans of weights that all but cancel each other are no use to half floats. */
+#define SQUARES 3e-5
 
 typedef struct problem {
     lobe_adaptive_fit *fit;
-    lobe_fan_point point[CELLS];
     const double *p; /* what the cells are asked about */
     bool slopes;
-    double number[CELLS];
+    double number[MOST];
     double *block; /* of every cell COLUMNS of ROWS; the need's slope is last */
     double (*square)[LOBE_ADAPTIVE_NEEDS];
     lobe_normal_equations *equations;
 } problem;
 
 /* What part of the judge's points lies in [lo, hi] of n_dot_v: a fifth within the borders of each. */
-static double judged(double lo, double hi)
+static double judged_view(double lo, double hi)
 {
     static const double border[6] = {0, .15, .375, .625, .875, 1};
     double part = 0;
@@ -37,58 +39,76 @@ static double judged(double lo, double hi)
     return part;
 }
 
-void lobe_adaptive_fit_of(const lobe_training *training, int threads, lobe_adaptive_fit *fit)
+/* What part of them lies between these two of alpha, in even steps of its logarithm as they are. */
+static double judged_alpha(double lo, double hi) { return fmax(0, log(fmin(1.2, hi) / fmax(.034, lo))); }
+
+void lobe_adaptive_fit_of(lobe_cell *const *cell, const lobe_fan_point *point, int rows, int columns,
+                          const double *share, int threads, lobe_adaptive_fit *fit)
 {
-    enum { VIEWS = LOBE_TRAINING_VIEWS };
     double total = 0;
     memset(fit, 0, sizeof *fit);
-    fit->training = training;
+    fit->count = rows * columns;
+    fit->cell = cell;
+    fit->share = share;
     fit->threads = threads;
     fit->line = lobe_progress_line_default();
-    for (int c = 0; c < CELLS; c++) {
-        const int j = c % VIEWS;
-        const double *alpha = training->alpha, *view = training->n_dot_v;
-        const double below = c >= 2 * VIEWS ? 0.5 * log(alpha[c] / alpha[c - VIEWS]) : 0.175;
-        const double above = c + VIEWS < CELLS ? 0.5 * log(alpha[c + VIEWS] / alpha[c]) : 0.2;
-        const double left = j ? 0.5 * (view[c] + view[c - 1]) : 0;
-        const double right = j + 1 < VIEWS ? 0.5 * (view[c] + view[c + 1]) : 1;
-        fit->weight[c] = (c < VIEWS ? 0.06 : below + above) * judged(left, right);
+    memcpy(fit->point, point, sizeof *point * (size_t)fit->count);
+    for (int c = 0; c < fit->count; c++) {
+        const int j = c % columns;
+        const bool first = c < columns, last = c + columns >= fit->count;
+        const double alpha = point[c].alpha, before = first ? 0 : point[c - columns].alpha,
+                     after = last ? 1 : point[c + columns].alpha;
+        const double left = j ? 0.5 * (point[c].n_dot_v + point[c - 1].n_dot_v) : 0;
+        const double right = j + 1 < columns ? 0.5 * (point[c].n_dot_v + point[c + 1].n_dot_v) : 1;
+        const double low = first ? 0 : 0.5 * (sqrt(alpha) + sqrt(before));
+        const double high = last ? 1 : 0.5 * (sqrt(alpha) + sqrt(after));
+        const double share_of_alpha = judged_alpha(sqrt(alpha * before), last ? 1.2 : sqrt(alpha * after));
+        fit->weight[c] = (alpha < 0.04 ? fmax(0.06, share_of_alpha) : share_of_alpha) * judged_view(left, right);
+        fit->area[c] = (high - low) * (right - left);
         total += fit->weight[c];
     }
-    for (int c = 0; c < CELLS; c++)
+    for (int c = 0; c < fit->count; c++)
         fit->weight[c] /= total;
 }
 
-/* A cell's residuals, and its slopes by what every tap is summed from. */
+/* A cell's residuals, and its slopes by what every tap is summed from. Below them the weights with their price. */
 static void ask_cells(void *ctx, const double *params, size_t count, double *values)
 {
     const problem *q = ctx;
-    const lobe_training *t = q->fit->training;
+    lobe_cell *const *cell = q->fit->cell;
     const size_t width = q->slopes ? COLUMNS * ROWS : ROWS;
-    double *scratch = malloc(sizeof *scratch * (lobe_cell_scratch(t->cell[0]) + 3 * TAPS * ROWS));
-    double *slope = scratch ? scratch + lobe_cell_scratch(t->cell[0]) : NULL;
+    double *scratch = malloc(sizeof *scratch * (lobe_cell_scratch(cell[0]) + 3 * TAPS * CELL_ROWS));
+    double *slope = scratch ? scratch + lobe_cell_scratch(cell[0]) : NULL;
     for (size_t i = 0; scratch && i < count; i++) {
         const int c = (int)params[i];
-        const double weight = sqrt(q->fit->weight[c]);
+        const double weight = sqrt(q->fit->weight[c]), priced = sqrt(SQUARES * q->fit->weight[c]);
         double *out = values + i * width, *need = out + (COLUMNS - 1) * ROWS;
         lobe_adaptive_fan fan;
-        lobe_adaptive_taps(&q->point[c], q->p, q->fit->softness, &fan);
-        lobe_cell_residuals(t->cell[c], fan.tap, fan.count, scratch, out, q->slopes ? slope : NULL);
-        for (int b = 0; b < ROWS; b++)
+        lobe_adaptive_taps(&q->fit->point[c], q->p, q->fit->softness, &fan);
+        lobe_cell_residuals(cell[c], fan.tap, fan.count, scratch, out, q->slopes ? slope : NULL);
+        for (int b = 0; b < CELL_ROWS; b++)
             out[b] *= weight;
+        for (int k = 0; k < TAPS; k++)
+            out[CELL_ROWS + k] = k < fan.count ? priced * fan.tap[k].weight : 0;
         if (!q->slopes)
             continue;
         memset(out + ROWS, 0, sizeof *out * (COLUMNS - 1) * ROWS);
         for (int k = 0; k < fan.count; k++) {
-            const double *by_angle = slope + 3 * k * ROWS, *by_log_t = by_angle + ROWS, *by_weight = by_log_t + ROWS;
+            const double *by_angle = slope + 3 * k * CELL_ROWS, *by_log_t = by_angle + CELL_ROWS,
+                         *by_weight = by_log_t + CELL_ROWS;
             double *shift = out + (1 + (k ? 3 * k - 1 : 0)) * ROWS, *wide = shift + ROWS, *part = wide + ROWS;
-            for (int b = 0; b < ROWS; b++) {
+            for (int b = 0; b < CELL_ROWS; b++) {
                 shift[b] = weight * fan.angle_by_shift[k] * by_angle[b];
                 wide[b] = weight * fan.log_t_by_width[k] * by_log_t[b];
                 need[b] += weight * (fan.angle_by_need[k] * by_angle[b] + fan.log_t_by_need[k] * by_log_t[b] +
                                      fan.weight_by_need[k] * by_weight[b]);
                 if (k)
-                    part[b] = weight * fan.gate[k] * (by_weight[b] - slope[2 * ROWS + b]);
+                    part[b] = weight * fan.gate[k] * (by_weight[b] - slope[2 * CELL_ROWS + b]);
+            }
+            need[CELL_ROWS + k] = priced * fan.weight_by_need[k];
+            if (k) {
+                part[CELL_ROWS + k] = priced * fan.gate[k];
+                part[CELL_ROWS] = -priced * fan.gate[k];
             }
         }
     }
@@ -128,10 +148,10 @@ static double ask(problem *q, const double *p, bool slopes)
     double sum, by_need[NEEDS], taps;
     q->p = p;
     q->slopes = slopes;
-    lobe_parallel_eval(&parallel, q->number, CELLS, q->block);
+    lobe_parallel_eval(&parallel, q->number, (size_t)q->fit->count, q->block);
     taps = priced(q, p, slopes ? by_need : NULL);
     sum = q->fit->price * taps;
-    for (int c = 0; c < CELLS; c++)
+    for (int c = 0; c < q->fit->count; c++)
         for (int b = 0; b < ROWS; b++)
             sum += q->block[c * width + b] * q->block[c * width + b];
     for (int i = 0; i < COUNT; i++)
@@ -139,19 +159,19 @@ static double ask(problem *q, const double *p, bool slopes)
     if (!slopes)
         return sum;
     lobe_normal_clear(q->equations);
-    for (int c = 0; c < CELLS; c++) {
+    for (int c = 0; c < q->fit->count; c++) {
         lobe_adaptive_fan fan;
         double need_term[NEEDS];
         lobe_normal_column column[COLUMNS - 1];
         int count = 0;
-        lobe_adaptive_taps(&q->point[c], p, q->fit->softness, &fan);
+        lobe_adaptive_taps(&q->fit->point[c], p, q->fit->softness, &fan);
         for (int k = 0; k < 3 * fan.count - 1; k++) {
             const lobe_normal_column one = {q->block + (c * COLUMNS + 1 + k) * ROWS, fan.term, NEEDS + TERMS * k,
                                             TERMS};
             column[count++] = one;
         }
         if (!q->fit->hold_need) {
-            lobe_adaptive_need_terms(&q->point[c], need_term);
+            lobe_adaptive_need_terms(&q->fit->point[c], need_term);
             const lobe_normal_column one = {q->block + (c * COLUMNS + COLUMNS - 1) * ROWS, need_term, 0, NEEDS};
             column[count++] = one;
         }
@@ -168,14 +188,13 @@ static bool make_problem(problem *q, lobe_adaptive_fit *fit)
     enum { SIDE = LOBE_ADAPTIVE_SIDE };
     memset(q, 0, sizeof *q);
     q->fit = fit;
-    q->block = malloc(sizeof *q->block * CELLS * COLUMNS * ROWS);
+    q->block = malloc(sizeof *q->block * (size_t)fit->count * COLUMNS * ROWS);
     q->square = malloc(sizeof *q->square * SIDE * SIDE);
     q->equations = lobe_normal_new(COUNT);
     if (!q->block || !q->square || !q->equations)
         return false;
-    for (int c = 0; c < CELLS; c++) {
+    for (int c = 0; c < q->fit->count; c++) {
         q->number[c] = c;
-        q->point[c] = lobe_fan_point_of(fit->training->alpha[c], fit->training->n_dot_v[c]);
     }
     for (int i = 0; i < SIDE * SIDE; i++) {
         const double r = (i / SIDE + 0.5) / SIDE;
@@ -235,18 +254,16 @@ lobe_fit_result lobe_adaptive_improve(lobe_adaptive_fit *fit, int steps, double 
 
 void lobe_adaptive_score(const lobe_adaptive_fit *fit, const double *p, double error[LOBE_CELL_PARTS])
 {
-    const lobe_training *t = fit->training;
-    double *scratch = malloc(sizeof *scratch * lobe_cell_scratch(t->cell[0])), total = 0;
+    double *scratch = malloc(sizeof *scratch * lobe_cell_scratch(fit->cell[0])), total = 0;
     for (int k = 0; k < LOBE_CELL_PARTS; k++)
         error[k] = 0;
-    for (int c = 0; scratch && c < CELLS; c++) {
-        const lobe_fan_point point = lobe_fan_point_of(t->alpha[c], t->n_dot_v[c]);
+    for (int c = 0; scratch && c < fit->count; c++) {
         lobe_adaptive_fan fan;
         double part[LOBE_CELL_PARTS];
-        if (t->alpha[c] < 0.04)
+        if (fit->point[c].alpha < 0.04)
             continue;
-        lobe_adaptive_taps(&point, p, 0, &fan);
-        lobe_cell_errors(t->cell[c], fan.tap, fan.count, scratch, part);
+        lobe_adaptive_taps(&fit->point[c], p, 0, &fan);
+        lobe_cell_errors(fit->cell[c], fan.tap, fan.count, scratch, part);
         for (int k = 0; k < LOBE_CELL_PARTS; k++)
             error[k] += fit->weight[c] * part[k];
         total += fit->weight[c];

@@ -6,49 +6,31 @@
 #include "adaptive_fit.h"
 #include "normal_equations.h"
 
-enum {
-    COUNT = LOBE_ADAPTIVE_COUNT,
-    CELLS = LOBE_TRAINING_CELLS,
-    TAPS = LOBE_ADAPTIVE_TAPS,
-    NEEDS = LOBE_ADAPTIVE_NEEDS
-};
-
-/* How much of the square of (roughness, n_dot_v) a cell of the training set stands for. */
-static double area(const lobe_training *t, int c)
-{
-    enum { VIEWS = LOBE_TRAINING_VIEWS };
-    const int j = c % VIEWS;
-    const double low = c < VIEWS ? 0 : 0.5 * (sqrt(t->alpha[c]) + sqrt(t->alpha[c - VIEWS]));
-    const double high = c + VIEWS < CELLS ? 0.5 * (sqrt(t->alpha[c]) + sqrt(t->alpha[c + VIEWS])) : 1;
-    const double left = j ? 0.5 * (t->n_dot_v[c] + t->n_dot_v[c - 1]) : 0;
-    const double right = j + 1 < VIEWS ? 0.5 * (t->n_dot_v[c] + t->n_dot_v[c + 1]) : 1;
-    return (high - low) * (right - left);
-}
+enum { COUNT = LOBE_ADAPTIVE_COUNT, TAPS = LOBE_ADAPTIVE_TAPS, NEEDS = LOBE_ADAPTIVE_NEEDS };
 
 /* Where the tiers of 1, 2, 4 and 8 taps would stand if every cell could choose: the need that is nearest to it. */
 static bool start_need(const lobe_adaptive_fit *fit, const lobe_adaptive_tiers *tiers, double generous, double *p)
 {
     static const double need[4] = {-0.5, 1, 3.2, 5.2};
-    const lobe_training *t = fit->training;
     lobe_normal_equations *e = lobe_normal_new(NEEDS);
-    double *scratch = malloc(sizeof *scratch * lobe_cell_scratch(t->cell[0])), zero[NEEDS] = {0};
+    double *scratch = malloc(sizeof *scratch * lobe_cell_scratch(fit->cell[0])), zero[NEEDS] = {0};
     bool good = e && scratch;
-    for (int c = 0; good && c < CELLS; c++) {
-        const lobe_fan_point point = lobe_fan_point_of(t->alpha[c], t->n_dot_v[c]);
+    for (int c = 0; good && c < fit->count; c++) {
+        const lobe_fan_point *point = &fit->point[c];
         double term[NEEDS], least = DBL_MAX, wanted = 0;
         for (int i = 0; i < 4; i++) {
             lobe_cell_tap tap[LOBE_CELL_TAPS];
-            double part[LOBE_CELL_PARTS], cost = fit->price * generous * area(t, c) * (1 << i);
-            lobe_fan_taps(&point, tiers->p[i], 1 << i, tap, NULL);
-            lobe_cell_errors(t->cell[c], tap, 1 << i, scratch, part);
+            double part[LOBE_CELL_PARTS], cost = fit->price * generous * fit->area[c] * (1 << i);
+            lobe_fan_taps(point, tiers->p[i], 1 << i, tap, NULL);
+            lobe_cell_errors(fit->cell[c], tap, 1 << i, scratch, part);
             for (int k = 0; k < LOBE_CELL_PARTS; k++)
-                cost += fit->weight[c] * t->options.share[k] * part[k];
+                cost += fit->weight[c] * fit->share[k] * part[k];
             if (cost < least) {
                 least = cost;
                 wanted = need[i];
             }
         }
-        lobe_adaptive_need_terms(&point, term);
+        lobe_adaptive_need_terms(point, term);
         const double one = 1, miss = -wanted;
         const lobe_normal_column column = {&one, term, 0, NEEDS};
         lobe_normal_add(e, &column, 1, &miss, 1);
@@ -93,6 +75,9 @@ static void start_taps(uint64_t seed, double *p)
 #define WANTED 2.185
 enum { SIDE = 128 };
 
+/* The two best of the first fourteen by what is asked at the end. */
+static const uint64_t starts[] = {4, 5};
+
 static bool stopped(lobe_fit_result result)
 {
     return result.status == LOBE_FIT_INTERRUPTED || result.status == LOBE_FIT_NO_MEMORY;
@@ -124,35 +109,50 @@ static lobe_fit_result run(lobe_adaptive_fit *fit, double price, double *p)
         result = stage(fit, soft[i], 14, p);
         fit->price *= exp((soft[i] > 0.02 ? 0.3 : 1) * (lobe_adaptive_mean_taps(p, SIDE) - WANTED));
     }
+    return result;
+}
+
+/* With hard gates, and the price that the count which is wanted has. */
+static lobe_fit_result settle(lobe_adaptive_fit *fit, double price, double *p)
+{
+    lobe_fit_result result = {0};
+    fit->price = price;
+    fit->hold_need = false;
+    for (int i = 0; i < 5 && !stopped(result); i++) {
+        result = stage(fit, 0.02, 14, p);
+        fit->price *= exp(3 * (lobe_adaptive_mean_taps(p, SIDE) - WANTED));
+    }
     fit->hold_need = true;
     return stopped(result) ? result : stage(fit, 0, 15, p);
 }
 
-lobe_fit_result lobe_adaptive_search(lobe_adaptive_fit *fit, const lobe_adaptive_tiers *tiers, double *p)
+lobe_fit_result lobe_adaptive_search(lobe_adaptive_fit *coarse, lobe_adaptive_fit *fine,
+                                     const lobe_adaptive_tiers *tiers, double *p)
 {
-    enum { STARTS = 4 };
-    const double price = fit->price;
+    const double price = fine->price;
     double least = INFINITY;
     lobe_fit_result result = {0};
-    for (int s = 0; s < STARTS; s++) {
+    for (size_t s = 0; s < sizeof starts / sizeof starts[0]; s++) {
         double trial[COUNT], error[LOBE_CELL_PARTS], value;
-        fit->price = price;
-        start_taps((uint64_t)s, trial);
-        if (!start_need(fit, tiers, 0.8, trial))
+        coarse->price = price;
+        start_taps(starts[s], trial);
+        if (!start_need(coarse, tiers, 0.8, trial))
             return lobe_fit_no_memory();
-        result = run(fit, price, trial);
+        result = run(coarse, price, trial);
+        if (!stopped(result))
+            result = settle(fine, price, trial);
         if (stopped(result))
             return result;
-        lobe_adaptive_score(fit, trial, error);
+        lobe_adaptive_score(fine, trial, error);
         value = price * lobe_adaptive_mean_taps(trial, 4 * SIDE);
         for (int k = 0; k < LOBE_CELL_PARTS; k++)
-            value += fit->training->options.share[k] * error[k] * error[k];
+            value += fine->share[k] * error[k] * error[k];
         if (value < least) {
             least = value;
             memcpy(p, trial, sizeof trial);
         }
     }
-    fit->price = price;
+    fine->price = price;
     result.value = least;
     return result;
 }

@@ -13,8 +13,10 @@ struct lobe_cell {
     const lobe_cell_options *options;
     lobe_sphere_norm *norm;
     int samples, all; /* values: samples, then those of the norm */
+    double *plain;    /* of the response */
+    double *bottom;   /* what a sample is divided by */
     double *scale;    /* what every value is multiplied with */
-    double *target;   /* of the response, scaled */
+    double *target;   /* plain, scaled */
     double *basis;    /* ROWS of as many, orthonormal */
 };
 
@@ -65,26 +67,25 @@ static void prepare_samples(lobe_cell *c, double *nodes)
         albedo += nodes[5 * i + 3];
     for (int i = 0; i < count; i++)
         nodes[5 * i + 3] /= albedo;
-    integrate(c, nodes, count, c->target);
+    integrate(c, nodes, count, c->plain);
     for (int e = 0; e < o->environments; e++) {
         double mean = 0;
         for (int i = e * each; i < (e + 1) * each; i++)
-            mean += c->target[i] / each;
-        for (int i = e * each; i < (e + 1) * each; i++) {
-            c->scale[i] =
-                sqrt(c->options->share[LOBE_CELL_SAMPLES] / o->count) / fmax(c->target[i], c->options->dark * mean);
-            c->target[i] *= c->scale[i];
-        }
+            mean += c->plain[i] / each;
+        for (int i = e * each; i < (e + 1) * each; i++)
+            c->bottom[i] = fmax(c->plain[i], c->options->dark * mean);
     }
 }
 
-static void prepare_norm(lobe_cell *c)
+static void weigh(lobe_cell *c)
 {
-    memcpy(c->target + c->samples, lobe_sphere_norm_target(c->norm), sizeof(double) * LOBE_SPHERE_VALUES);
-    for (int i = 0; i < LOBE_SPHERE_VALUES; i++) {
-        const lobe_cell_part part = i < LOBE_SPHERE_POINTS ? LOBE_CELL_SPECTRA : LOBE_CELL_SHAPE;
-        c->scale[c->samples + i] = sqrt(c->options->share[part]);
-        c->target[c->samples + i] *= c->scale[c->samples + i];
+    for (int i = 0; i < c->all; i++) {
+        const int at = i - c->samples;
+        if (at < 0)
+            c->scale[i] = sqrt(c->options->share[LOBE_CELL_SAMPLES] / c->samples) / c->bottom[i];
+        else
+            c->scale[i] = sqrt(c->options->share[at < LOBE_SPHERE_POINTS ? LOBE_CELL_SPECTRA : LOBE_CELL_SHAPE]);
+        c->target[i] = c->plain[i] * c->scale[i];
     }
 }
 
@@ -134,29 +135,44 @@ lobe_cell *lobe_cell_new(double alpha, double n_dot_v, const lobe_cell_options *
         c->options = options;
         c->samples = (int)samples;
         c->all = (int)all;
-        c->scale = malloc(sizeof(double) * all * (2 + ROWS));
+        c->plain = malloc(sizeof(double) * all * (4 + ROWS));
         c->norm = lobe_sphere_norm_new(alpha, n_dot_v, options->kernels, options->spectra, options->spectrum_count);
     }
-    if (!c || !room || !c->scale || !c->norm) {
+    if (!c || !room || !c->plain || !c->norm) {
         free(room);
         lobe_cell_free(c);
         return NULL;
     }
+    c->bottom = c->plain + all;
+    c->scale = c->bottom + all;
     c->target = c->scale + all;
     c->basis = c->target + all;
     if (samples)
         prepare_samples(c, room);
-    prepare_norm(c);
+    memcpy(c->plain + c->samples, lobe_sphere_norm_target(c->norm), sizeof(double) * LOBE_SPHERE_VALUES);
+    weigh(c);
     if (!options->judge)
         make_basis(c, room);
     free(room);
     return c;
 }
 
+bool lobe_cell_weigh(lobe_cell *cell, const lobe_cell_options *options)
+{
+    double *room = malloc(sizeof *room * (size_t)cell->all * CANDIDATES);
+    if (!room)
+        return false;
+    cell->options = options;
+    weigh(cell);
+    make_basis(cell, room);
+    free(room);
+    return true;
+}
+
 void lobe_cell_free(lobe_cell *cell)
 {
     if (cell) {
-        free(cell->scale);
+        free(cell->plain);
         lobe_sphere_norm_free(cell->norm);
     }
     free(cell);

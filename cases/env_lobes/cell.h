@@ -6,6 +6,7 @@
  * All is projected on what fans of taps can reach, which leaves few rows. */
 #ifndef LOBE_ENV_CELL_H
 #define LOBE_ENV_CELL_H
+#include <stdbool.h>
 #include "orientations.h"
 #include "sphere_norm.h"
 
@@ -33,6 +34,10 @@ typedef struct lobe_cell lobe_cell;
 /* options stay in use. NULL where there is no memory. */
 lobe_cell *lobe_cell_new(double alpha, double n_dot_v, const lobe_cell_options *options);
 void lobe_cell_free(lobe_cell *cell);
+
+/* As if made anew with options that differ in nothing but the weights of the parts, in a sixth of the time. False where
+ * there is no memory: the cell is as it was. */
+bool lobe_cell_weigh(lobe_cell *cell, const lobe_cell_options *options);
 
 /* rows: LOBE_CELL_ROWS residuals. slopes, unless NULL: 3 count columns of as many, by angle, ln t and weight of each
  * tap in turn. scratch: lobe_cell_scratch doubles. */

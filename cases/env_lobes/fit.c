@@ -115,6 +115,13 @@ static bool fit_tier(const lobe_case *self, const lobe_fit_request *request, int
     return chain.is_written[index];
 }
 
+static bool make_table_training(int threads)
+{
+    if (!chain.tables)
+        chain.tables = lobe_env_table_training_new(threads);
+    return chain.tables != NULL;
+}
+
 /* From the closed form that this command wrote; from the one that ships where it was asked for the table alone. */
 static bool fit_table(const lobe_case *self, const lobe_fit_request *request, int index)
 {
@@ -124,9 +131,7 @@ static bool fit_table(const lobe_case *self, const lobe_fit_request *request, in
         memcpy(p, chain.written[index], sizeof p);
     else
         lobe_env_table_shipped(taps, p);
-    if (!chain.tables)
-        chain.tables = lobe_env_table_training_new(threads);
-    if (!chain.tables ||
+    if (!make_table_training(threads) ||
         !lobe_env_table_training_weigh(chain.tables, index < FEW ? SPECTRA_OF_FEW : SPECTRA, threads)) {
         fputs("lobefit: fit: not enough memory\n", stderr);
         return false;
@@ -144,7 +149,11 @@ static bool fit_adaptive(const lobe_case *self, const lobe_fit_request *request)
         else
             lobe_env_table_shipped(1 << i, tiers.p[i]);
     }
-    return lobe_env_adaptive_tier(self, request, &tiers);
+    if (!make_table_training(request->sweep.threads)) {
+        fputs("lobefit: fit: not enough memory\n", stderr);
+        return false;
+    }
+    return lobe_env_adaptive_tier(self, request, chain.tables, &tiers);
 }
 
 static bool fit1(const lobe_case *self, const lobe_fit_request *request) { return fit_tier(self, request, 0); }

@@ -11,8 +11,13 @@ static void make_cells(void *ctx, const double *params, size_t count, double *va
     lobe_env_table_training *t = ctx;
     for (size_t i = 0; i < count; i++) {
         const int c = (int)params[i];
-        t->cell[c] = lobe_cell_new(t->point[c].alpha, t->point[c].n_dot_v, &t->options[(c / GRID + c % GRID) % 2]);
-        values[i] = t->cell[c] != NULL;
+        const lobe_cell_options *options = &t->options[(c / GRID + c % GRID) % 2];
+        if (t->cell[c]) {
+            values[i] = lobe_cell_weigh(t->cell[c], options);
+        } else {
+            t->cell[c] = lobe_cell_new(t->point[c].alpha, t->point[c].n_dot_v, options);
+            values[i] = t->cell[c] != NULL;
+        }
     }
 }
 
@@ -64,7 +69,6 @@ bool lobe_env_table_training_weigh(lobe_env_table_training *t, double part, int 
     bool good = true;
     if (t->cell[0] && t->part == part)
         return true;
-    forget_cells(t);
     for (int i = 0; i < 2; i++) {
         const lobe_cell_options options = {
             t->orientations[i], t->kernels, t->spectra[i], LOBE_TRAINING_MAPS, {1, part, .05}, .1, 72, 0};

@@ -2,19 +2,31 @@
 
 #include <pthread.h>
 
-typedef struct share {
+/* What is left to do. Entries are taken a few at a time, so that a thread with slow ones keeps nobody waiting. */
+typedef struct queue {
     const lobe_parallel *p;
     const double *params;
     double *values;
-    size_t first, end;
-} share;
+    size_t count, each, next;
+    pthread_mutex_t lock;
+} queue;
+
+enum { TURNS = 8 }; /* of each thread, about */
 
 static void *work(void *arg)
 {
-    const share *s = arg;
-    if (s->end > s->first)
-        s->p->f(s->p->ctx, s->params + s->first * s->p->dim, s->end - s->first, s->values + s->first * s->p->width);
-    return NULL;
+    queue *q = arg;
+    for (;;) {
+        size_t first, end;
+        pthread_mutex_lock(&q->lock);
+        first = q->next;
+        end = q->count - first > q->each ? first + q->each : q->count;
+        q->next = end;
+        pthread_mutex_unlock(&q->lock);
+        if (first == end)
+            return NULL;
+        q->p->f(q->p->ctx, q->params + first * q->p->dim, end - first, q->values + first * q->p->width);
+    }
 }
 
 void lobe_parallel_eval(void *ctx, const double *params, size_t count, double *values)
@@ -28,19 +40,14 @@ void lobe_parallel_eval(void *ctx, const double *params, size_t count, double *v
         return;
     }
     pthread_t thread[LOBE_PARALLEL_MAX];
-    share shares[LOBE_PARALLEL_MAX];
     bool started[LOBE_PARALLEL_MAX];
-    for (size_t i = 0; i < n; i++) {
-        const share s = {p, params, values, count * i / n, count * (i + 1) / n};
-        shares[i] = s;
-    }
+    queue q = {p, params, values, count, count / (TURNS * n) + 1, 0, PTHREAD_MUTEX_INITIALIZER};
     for (size_t i = 1; i < n; i++)
-        started[i] = pthread_create(&thread[i], NULL, work, &shares[i]) == 0;
-    work(&shares[0]);
+        started[i] = pthread_create(&thread[i], NULL, work, &q) == 0;
+    work(&q);
     for (size_t i = 1; i < n; i++) {
         if (started[i])
             pthread_join(thread[i], NULL);
-        else
-            work(&shares[i]);
     }
+    pthread_mutex_destroy(&q.lock);
 }

@@ -1,4 +1,4 @@
-/* A batch function spread over threads: each takes one run of it, and an entry is computed exactly as
+/* A batch function spread over threads, each of which takes a few entries at a time; an entry is computed exactly as
  * it would be alone, so the bytes are the same for any number of threads. */
 #ifndef LOBE_PARALLEL_H
 #define LOBE_PARALLEL_H
