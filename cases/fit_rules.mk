@@ -17,15 +17,21 @@ $(B)/blank: $(addprefix $(B)/cases/fit/,blank_main.o coefficients.o atomic_file.
 # cases/sphere_light/tier_rows.h; one of environment lobes its row in cases/env_lobes/tier_rows.h.
 FIT_MODELS := split_sum split_sum_sep energy diffuse_sh sphere_light capsule_light sg_light sg_diffuse sphere_diffuse \
     env_lobes env_lobes_sg
-# What is fitted with another, and measured by itself.
-MEASURED_MODELS := $(FIT_MODELS) sphere_light_schlick
+# What is fitted with another, and measured by itself; it takes longest, so it begins.
+MEASURED_MODELS := sphere_light_schlick $(FIT_MODELS)
+MEASURES := $(MEASURED_MODELS:%=measure-%)
 LOBEFIT_AGAIN = $(MAKE) --no-print-directory $(B)/lobefit
-.PHONY: fit
+# Fits take all processors; measurements take one each, so as many run at once as there are.
+AT_ONCE = -j$(shell getconf _NPROCESSORS_ONLN 2>/dev/null || echo 2)
+.PHONY: fit $(MEASURES)
+$(MEASURES): measure-%:
+	@echo "lobefit bounds $*"; $(B)/lobefit bounds $*
+
 fit:
 	@set -e; $(LOBEFIT_AGAIN); \
 	for model in $(FIT_MODELS); do echo "lobefit fit $$model"; $(B)/lobefit fit $$model; done; \
 	$(MAKE) --no-print-directory emit-q30; $(LOBEFIT_AGAIN); \
-	for model in $(MEASURED_MODELS); do echo "lobefit bounds $$model"; $(B)/lobefit bounds $$model; done; \
+	$(MAKE) --no-print-directory $(AT_ONCE) $(MEASURES); \
 	$(LOBEFIT_AGAIN); \
 	for model in $(MEASURED_MODELS); do echo "lobefit vectors $$model"; $(B)/lobefit vectors $$model; done; \
 	$(MAKE) --no-print-directory hashes

@@ -98,7 +98,7 @@ extern const int16_t lobe_env_lobes8_table16_i16[23 * LOBE_ENV_TABLE16_SIDE * LO
 
 /* 1 to 6 taps, as many as the point needs: returns how many to read, 2.2 in the mean over a uniform square of roughness
  * and n_dot_v. A tap comes in with weight 0, so the colour is continuous; those that are not read have weight 0 and the
- * first's angle and width. Radiance error .098 of the split sum's, where 4 taps have .079; in q30 a weight is within
+ * first's angle and width. Radiance error .089 of the split sum's, where 4 taps have .079; in q30 a weight is within
  * 2^-14. 572 operations, 304 coefficients; albedo max 5.22e-05, below .00173. Source: models/env_lobes_adaptive.h. */
 int lobe_env_lobes_adaptive_f32(float roughness, float n_dot_v, lobe_env_tap_f32 taps[6]);
 int lobe_env_lobes_adaptive_q30(int32_t roughness, int32_t n_dot_v, lobe_env_tap_q30 taps[6]);

@@ -40,8 +40,8 @@ typedef struct lobe_adaptive_tiers {
     double p[4][LOBE_FAN_MOST];
 } lobe_adaptive_tiers;
 
-/* From starts, over a few cells through soft gates to hard ones, then over all; the best by the objective. fine's price
- * is where both begin (adaptive_search.c). */
+/* Over a few cells through soft gates to hard ones, then over all. fine's price is where both begin
+ * (adaptive_search.c). */
 lobe_fit_result lobe_adaptive_search(lobe_adaptive_fit *coarse, lobe_adaptive_fit *fine,
                                      const lobe_adaptive_tiers *tiers, double *p);
 
