@@ -193,9 +193,8 @@ static bool make_problem(problem *q, lobe_adaptive_fit *fit)
     q->equations = lobe_normal_new(COUNT);
     if (!q->block || !q->square || !q->equations)
         return false;
-    for (int c = 0; c < q->fit->count; c++) {
+    for (int c = 0; c < fit->count; c++)
         q->number[c] = c;
-    }
     for (int i = 0; i < SIDE * SIDE; i++) {
         const double r = (i / SIDE + 0.5) / SIDE;
         const lobe_fan_point point = lobe_fan_point_of(r * r, (i % SIDE + 0.5) / SIDE);

@@ -5,8 +5,8 @@
 #include "adaptive_fit.h"
 #include "table_training.h"
 
-/* Fitted on what tables are. tiers: closed forms that there are (fan.h). True once models/coeffs/env_lobes_adaptive.h is written, false after a
- * line on stderr. */
+/* Fitted on what tables are. tiers: closed forms that there are (fan.h). True once models/coeffs/env_lobes_adaptive.h
+ * is written, false after a line on stderr. */
 bool lobe_env_adaptive_tier(const struct lobe_case *self, const lobe_fit_request *request,
                             lobe_env_table_training *training, const lobe_adaptive_tiers *tiers);
 

@@ -9,7 +9,12 @@
 #include "table_contenders.h"
 
 /* The contenders, a star that is no fan of taps, what are tables, what adapts its number of taps, and env_lobes_sg. */
-enum { TABLES = LOBE_CONTENDERS + 1, ADAPTIVE = TABLES + LOBE_TABLE_CONTENDERS, SG = ADAPTIVE + 1, MODELS = SG + LOBE_GAUSSIANS };
+enum {
+    TABLES = LOBE_CONTENDERS + 1,
+    ADAPTIVE = TABLES + LOBE_TABLE_CONTENDERS,
+    SG = ADAPTIVE + 1,
+    MODELS = SG + LOBE_GAUSSIANS
+};
 
 typedef struct front {
     int threads;
